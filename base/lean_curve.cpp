@@ -25,13 +25,13 @@ LeanPoint arc(double a0, double a, double s) {
 /// bounded when a goes to 0.
 LeanPoint root(double a0, double a, double s) {
   const double u1 = 2 * std::tan(a / 2);
-  const double whole = parabola_length(u1);
+  const double total_length = parabola_length(u1);
   double r = s;
   for (int step = 0; step < 3; ++step) {
     const double u = r * u1;
-    r -= (r * parabola_length(u) - s * whole) / (2 * std::sqrt(1 + u * u));
+    r -= (r * parabola_length(u) - s * total_length) / (2 * std::sqrt(1 + u * u));
   }
-  const double y = 2 * r / whole, x = r * r * u1 / whole;
+  const double y = 2 * r / total_length, x = r * r * u1 / total_length;
   return {y * std::sin(a0) + x * std::cos(a0), y * std::cos(a0) - x * std::sin(a0), a0 + std::atan(r * u1)};
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 /// Tells the thread sanitizer that one thread has done its part before another continues. oneTBB ensures that order
 /// itself, but is not built with the sanitizer.
-struct Order {
+struct HappensBefore {
 #if defined(__SANITIZE_THREAD__)
   void release() { __tsan_release(this); }
   void acquire() { __tsan_acquire(this); }
@@ -100,7 +100,7 @@ void run_on_threads(int threads, const std::function<void()>& run) {
   // On one core, more threads would only take turns, and oneTBB would write a warning to stderr.
   if (threads <= 1 || core_count() == 1) return run();
   FirstException failure;
-  Order begun, ended;
+  HappensBefore begun, ended;
   begun.release();
   const auto guarded = [&] {
     begun.acquire();

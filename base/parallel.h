@@ -64,7 +64,7 @@ void run_both(const First& first, const Second& second) {
 /// Calls work(begin, end) for consecutive ranges of [0, count) on all cores, in no order; for one range if `count` is
 /// small.
 template <class Work>
-void for_each_run_in_parallel(std::uint32_t count, const Work& work) {
+void for_each_range_in_parallel(std::uint32_t count, const Work& work) {
   constexpr std::uint32_t run_length = 1 << 14;
   const std::uint32_t runs = (count + run_length - 1) / run_length;
   for_each_in_parallel(runs,

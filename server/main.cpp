@@ -64,8 +64,9 @@ class StopDeadline {
 constexpr int failed = 1, usage = 2, no_gl = 4;
 
 constexpr std::size_t min_memory = std::size_t{1} << 20, max_memory = std::size_t{1} << 50;
-constexpr std::size_t aside_share = 4;  // pictures that are set aside may take 1 / aside_share of --trace-memory more
-constexpr std::size_t coat_share = 4;   // baked coats take at most 1 / coat_share of --memory
+constexpr std::size_t suspended_share =
+    4;  // pictures that are set aside may take 1 / suspended_share of --trace-memory more
+constexpr std::size_t coat_share = 4;  // baked coats take at most 1 / coat_share of --memory
 
 struct Options {
   std::string listen = "127.0.0.1:8080";
@@ -180,7 +181,7 @@ std::size_t default_memory() {
 /// missing one only if its file was given on the command line.
 void plan_frames(FrameService& frames, const Options& options) {
   Result<Calibration> stored = read_calibration(options.calibration_file(), frames.description(), frames.threads());
-  if (stored) return frames.plan_by(std::move(stored).value());
+  if (stored) return frames.set_calibration(std::move(stored).value());
   if (stored.status().code == Code::not_found && options.calibration.empty()) return;
   complain(with_next(stored.status(), "frames are planned by the defaults; `pelage calibrate` measures this machine"));
 }
@@ -208,7 +209,7 @@ int serve(const Options& options, const HttpOptions& http) {
   (*scenes)->on_close([&](std::uint64_t copy) { (*frames)->forget(copy); });
   const auto trace_memory = static_cast<std::size_t>(options.trace_memory * 1024 * 1024 * 1024);
   TraceQueue::Limits trace_limits;
-  trace_limits.aside_bytes = trace_memory / aside_share;
+  trace_limits.suspended_bytes = trace_memory / suspended_share;
   const ServerLog log(options.log_format, options.log_level, STDERR_FILENO);
   for (const std::string& damage : (*scenes)->damages())
     log.write(LogLevel::error, "damage", {{"why", std::string_view(damage)}});
@@ -258,7 +259,7 @@ int main(int argc, char** argv) {
     if (calibrated.ok()) return 0;
     return fail(calibrated.code == Code::unavailable ? no_gl : failed, calibrated);
   }
-  keep_memory_together();
+  limit_arenas();
   HttpOptions http{.host = {}, .port = 0, .token = options.token, .hosts = options.hosts};
   if (!split_address(options.listen, http)) {
     return fail(usage, failure(Code::invalid, "--listen takes ADDRESS:PORT, not " + options.listen + "."));

@@ -11,16 +11,16 @@
 
 namespace {
 
-constexpr const char* one_folder = "build or install all programs in one folder";
+constexpr const char* install_advice = "build or install all programs in one folder";
 
 /// Replaces this process by `program` from the same folder (exec). Returns only if that fails.
-pelage::ExitCode hand_over(const char* program, char* const* arguments) {
+pelage::ExitCode exec_program(const char* program, char* const* arguments) {
   std::error_code error;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::string path = self.parent_path() / program;
   execv(path.c_str(), arguments);
   const auto status = pelage::failure(pelage::Code::internal, "Cannot start " + path + "; it belongs beside pelage.");
-  return report(with_next(status, one_folder));
+  return report(with_next(status, install_advice));
 }
 
 pelage::ExitCode compare(const pelage::Options& options) {
@@ -28,7 +28,7 @@ pelage::ExitCode compare(const pelage::Options& options) {
     return pelage::compare_pictures(options);
   } catch (const std::runtime_error& error) {  // the picture library is missing
     const auto status = pelage::failure(pelage::Code::internal, error.what());
-    return report(with_next(status, one_folder));
+    return report(with_next(status, install_advice));
   }
 }
 
@@ -39,7 +39,7 @@ pelage::ExitCode calibrate(const pelage::Options& options) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  return hand_over("pelaged", arguments.data());
+  return exec_program("pelaged", arguments.data());
 }
 
 }  // namespace
@@ -48,8 +48,8 @@ int main(int argc, char** argv) {
   const auto [exit_code, options] = pelage::parse_line(argc, argv);
   if (exit_code) return *exit_code;
   if (options.action == pelage::Action::compare) return compare(options);
-  if (options.action == pelage::Action::trade) return hand_over("pelage-trade", argv);
-  if (options.action == pelage::Action::farm) return hand_over("pelage-farm", argv);
+  if (options.action == pelage::Action::trade) return exec_program("pelage-trade", argv);
+  if (options.action == pelage::Action::farm) return exec_program("pelage-farm", argv);
   if (options.action == pelage::Action::calibrate) return calibrate(options);
   pelage::HttpHeaders headers;
   if (!options.author.empty()) headers.emplace(pelage::author_header, pelage::encoded_author(options.author));

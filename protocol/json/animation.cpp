@@ -129,9 +129,9 @@ Status Animation::Impl::add(const ParameterKeys& keys, const std::string& pointe
   }
   Result<KeyCurve> curve = KeyCurve::create(keys, pointer);
   if (!curve) return curve.status();
-  const std::optional<json> between = curve->between_whole_keys();
+  const std::optional<json> between = curve->between_integer_keys();
   if (between && takes(keys.parameter, path, curve->first()) && !takes(keys.parameter, path, *between))
-    curve->keep_whole();
+    curve->round_values();
   curves[section].emplace_back(std::move(path), std::move(curve).value());
   return {};
 }

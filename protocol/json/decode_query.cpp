@@ -130,7 +130,7 @@ json value_of(const std::string& text, Kind kind) {
   return fits ? value : json(text);
 }
 
-Status place(json& document, const Parameter& parameter, const std::string& text) {
+Status set_parameter(json& document, const Parameter& parameter, const std::string& text) {
   const json::json_pointer pointer(parameter.pointer);
   json& parent = document[pointer.parent_pointer()];
   const bool knobs_and_tier = parent.is_string() || (document.contains(pointer) && document[pointer].is_object());
@@ -160,7 +160,7 @@ Result<json> document_of(const Query& query, const std::vector<Parameter>& param
                      nearest_name(name, known));
     }
     if (!is_utf8(text)) return failure(Code::malformed, "The parameter is no UTF-8.", found->pointer, "UTF-8");
-    if (Status status = place(document, *found, text); !status.ok()) return status;
+    if (Status status = set_parameter(document, *found, text); !status.ok()) return status;
   }
   return document;
 }

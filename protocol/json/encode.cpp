@@ -38,9 +38,9 @@ std::string encode(const PictureAnswer& answer) { return line(written(answer)); 
 std::string encode(const Problem& problem) { return line(written(problem)); }
 
 std::string encode(const TraceReport& report) {
-  TraceReport shown = report;
-  shown.noise = std::min(report.noise, 1.0);
-  return line(written(shown));
+  TraceReport finite_report = report;
+  finite_report.noise = std::min(report.noise, 1.0);
+  return line(written(finite_report));
 }
 
 std::string encode(const std::vector<Command>& commands) {

@@ -30,19 +30,18 @@ double slope_between(double before, double after, double left_slope, double righ
   return left_slope * right_slope / (a * right_slope + b * left_slope);
 }
 
-double slope_at(const std::vector<double>& places, const std::vector<double>& values, std::size_t k) {
-  const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / (places[i + 1] - places[i]); };
-  if (places.size() == 2) return secant(0);
-  if (k == 0 || k + 1 == places.size()) return 0;  // flat at both ends
-  return slope_between(places[k] - places[k - 1], places[k + 1] - places[k], secant(k - 1), secant(k));
+double slope_at(const std::vector<double>& xs, const std::vector<double>& values, std::size_t k) {
+  const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / (xs[i + 1] - xs[i]); };
+  if (xs.size() == 2) return secant(0);
+  if (k == 0 || k + 1 == xs.size()) return 0;  // flat at both ends
+  return slope_between(xs[k] - xs[k - 1], xs[k + 1] - xs[k], secant(k - 1), secant(k));
 }
 
 }  // namespace
 
-double monotone_cubic(const std::vector<double>& places, const std::vector<double>& values, std::size_t left,
-                      double at) {
-  const double width = places[left + 1] - places[left], t = (at - places[left]) / width;
-  const double m0 = width * slope_at(places, values, left), m1 = width * slope_at(places, values, left + 1);
+double monotone_cubic(const std::vector<double>& xs, const std::vector<double>& values, std::size_t left, double at) {
+  const double width = xs[left + 1] - xs[left], t = (at - xs[left]) / width;
+  const double m0 = width * slope_at(xs, values, left), m1 = width * slope_at(xs, values, left + 1);
   const double rise = values[left + 1] - values[left];
   const double value = values[left] + t * (m0 + t * (3 * rise - 2 * m0 - m1 + t * (m0 + m1 - 2 * rise)));
   return std::clamp(value, std::min(values[left], values[left + 1]), std::max(values[left], values[left + 1]));
@@ -70,7 +69,7 @@ Result<KeyCurve> KeyCurve::create(const ParameterKeys& keys, const std::string& 
   return curve;
 }
 
-std::optional<nlohmann::json> KeyCurve::between_whole_keys() const {
+std::optional<nlohmann::json> KeyCurve::between_integer_keys() const {
   bool moves = false;
   std::vector<double> between;
   for (const std::vector<double>& values : numbers_) {
@@ -94,7 +93,7 @@ nlohmann::json KeyCurve::at(double frame) const {
     const double t = (frame - frames_[left]) / (frames_[left + 1] - frames_[left]);
     result.push_back(interpolation_ == KeyInterpolation::spline ? monotone_cubic(frames_, values, left, frame)
                                                                 : values[left] + t * (values[left + 1] - values[left]));
-    if (whole_) result.back() = std::round(result.back());
+    if (rounded_) result.back() = std::round(result.back());
   }
   if (is_list_) return result;
   return result.front();

@@ -25,13 +25,13 @@ class KeyCurve {
   const nlohmann::json& first() const { return values_.front(); }
   /// Returns a value between keys that has fractions, if all keys are whole numbers and differ; else nullopt. It serves
   /// to test whether the parameter takes fractions.
-  std::optional<nlohmann::json> between_whole_keys() const;
+  std::optional<nlohmann::json> between_integer_keys() const;
   /// Makes all later calls of at() round their values.
-  void keep_whole() { whole_ = true; }
+  void round_values() { rounded_ = true; }
 
  private:
   KeyInterpolation interpolation_ = KeyInterpolation::step;
-  bool is_list_ = false, whole_ = false;
+  bool is_list_ = false, rounded_ = false;
   std::vector<double> frames_;
   std::vector<nlohmann::json> values_;
   std::vector<std::vector<double>> numbers_;  // [component][key]; empty with step
@@ -39,7 +39,6 @@ class KeyCurve {
 
 /// Monotone cubic Hermite interpolation (Fritsch and Carlson 1980) of values at ascending places; `at` lies in the
 /// interval that begins at places[left].
-double monotone_cubic(const std::vector<double>& places, const std::vector<double>& values, std::size_t left,
-                      double at);
+double monotone_cubic(const std::vector<double>& xs, const std::vector<double>& values, std::size_t left, double at);
 
 }  // namespace pelage::json_parts

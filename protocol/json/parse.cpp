@@ -17,21 +17,21 @@ class TreeBuilder {
   json take_root() { return std::move(root_); }
   const Status& failure_found() const { return failure_; }
 
-  bool null() { return place(nullptr) != nullptr; }
-  bool boolean(bool value) { return place(value) != nullptr; }
-  bool number_integer(json::number_integer_t value) { return place(value) != nullptr; }
-  bool number_unsigned(json::number_unsigned_t value) { return place(value) != nullptr; }
-  bool number_float(json::number_float_t value, const std::string&) { return place(value) != nullptr; }
-  bool string(std::string& value) { return place(std::move(value)) != nullptr; }
+  bool null() { return insert(nullptr) != nullptr; }
+  bool boolean(bool value) { return insert(value) != nullptr; }
+  bool number_integer(json::number_integer_t value) { return insert(value) != nullptr; }
+  bool number_unsigned(json::number_unsigned_t value) { return insert(value) != nullptr; }
+  bool number_float(json::number_float_t value, const std::string&) { return insert(value) != nullptr; }
+  bool string(std::string& value) { return insert(std::move(value)) != nullptr; }
   bool binary(json::binary_t&) { return false; }
-  bool start_object(std::size_t) { return open(json::object()); }
-  bool end_object() { return close(); }
-  bool start_array(std::size_t) { return open(json::array()); }
-  bool end_array() { return close(); }
+  bool start_object(std::size_t) { return push(json::object()); }
+  bool end_object() { return pop(); }
+  bool start_array(std::size_t) { return push(json::array()); }
+  bool end_array() { return pop(); }
 
   bool key(std::string& name) {
     key_ = name;
-    if (!open_.back()->contains(name)) return true;
+    if (!stack_.back()->contains(name)) return true;
     failure_ = failure(Code::malformed, "The name \"" + name + "\" is given twice.", pointer() + pointer_step(name),
                        "each name once");
     return false;
@@ -48,35 +48,35 @@ class TreeBuilder {
   }
 
  private:
-  json* place(json value) {
-    if (open_.empty()) return &(root_ = std::move(value));
-    json& parent = *open_.back();
+  json* insert(json value) {
+    if (stack_.empty()) return &(root_ = std::move(value));
+    json& parent = *stack_.back();
     if (parent.is_object()) return &(parent[key_] = std::move(value));
     parent.push_back(std::move(value));
     return &parent.back();
   }
 
-  bool open(json value) {
-    if (open_.size() >= static_cast<std::size_t>(limits::json_depth)) {
+  bool push(json value) {
+    if (stack_.size() >= static_cast<std::size_t>(limits::json_depth)) {
       failure_ = failure(Code::malformed, "The body is nested too deeply.", "",
                          "at most " + std::to_string(limits::json_depth) + " levels");
       return false;
     }
     steps_.push_back(step());
-    open_.push_back(place(std::move(value)));
+    stack_.push_back(insert(std::move(value)));
     return true;
   }
 
-  bool close() {
-    open_.pop_back();
+  bool pop() {
+    stack_.pop_back();
     steps_.pop_back();
     return true;
   }
 
   /// Returns the JSON pointer step from the innermost open value to the value that comes next.
   std::string step() const {
-    if (open_.empty()) return {};
-    return open_.back()->is_object() ? pointer_step(key_) : "/" + std::to_string(open_.back()->size());
+    if (stack_.empty()) return {};
+    return stack_.back()->is_object() ? pointer_step(key_) : "/" + std::to_string(stack_.back()->size());
   }
 
   std::string pointer() const {
@@ -86,7 +86,7 @@ class TreeBuilder {
   }
 
   json root_;
-  std::vector<json*> open_;         // the innermost is last; a parent does not move while a child is open
+  std::vector<json*> stack_;        // the innermost is last; a parent does not move while a child is open
   std::vector<std::string> steps_;  // the JSON pointer step to each open value
   std::string key_;
   Status failure_;

@@ -13,9 +13,11 @@ namespace pelage {
 /// A closed interval of numbers; an infinite end is no limit.
 struct Range {
   double low, high;
-  const char* unit = "";                                                    // `x-unit` of the contract
-  constexpr Range in(const char* what) const { return {low, high, what}; }  // the same interval with another unit
-  std::string text() const;                                                 // "[0, 1]"
+  const char* unit = "";  // `x-unit` of the contract
+  constexpr Range in(const char* other_unit) const {
+    return {low, high, other_unit};
+  }                          // the same interval with another unit
+  std::string text() const;  // "[0, 1]"
 };
 
 /// The allowed number of members of a list.
@@ -33,7 +35,7 @@ inline constexpr Range width_in_units{1e-27, 1e27, "as `units`"};
 inline constexpr Range map_scale{1e-27, 1e27, "as `units`"};
 inline constexpr Range direction_part{-1e6, 1e6, "any length"};
 inline constexpr Range share{0, 1, "share"};
-inline constexpr Range whole_number{0, 4294967295.0};
+inline constexpr Range uint32_range{0, 4294967295.0};
 inline constexpr Range screen_coordinate{-1e6, 1e6, "pixels"};
 inline constexpr Range metres{1e-9, 1e9, "metres"};
 inline constexpr Range half_circle{0, 180, "degrees"};

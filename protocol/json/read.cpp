@@ -36,10 +36,10 @@ void get(const Value& value, std::optional<Tracing>& out) {
   }
 }
 
-SurfaceSample surface_place(Object& object) {
+SurfaceSample surface_sample(Object& object) {
   SurfaceSample place;
   object.required("triangle",
-                  [&](const Value& v) { place.triangle = static_cast<std::uint32_t>(v.integer(whole_number)); });
+                  [&](const Value& v) { place.triangle = static_cast<std::uint32_t>(v.integer(uint32_range)); });
   object.required("barycentric", [&](const Value& v) {
     place.barycentric = v.triple(share);
     const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
@@ -87,7 +87,7 @@ class MemberReader {
     member(name, [&](const Value& v) { out = static_cast<int>(v.integer(range)); });
   }
   void seed(MemberName name, std::uint32_t& out, const char* = "") {
-    member(name, [&](const Value& v) { out = static_cast<std::uint32_t>(v.integer(whole_number)); });
+    member(name, [&](const Value& v) { out = static_cast<std::uint32_t>(v.integer(uint32_range)); });
   }
   template <class T>
   void counter(MemberName name, T& out, const char* = "") {
@@ -230,7 +230,7 @@ class MemberReader {
     member(name, [&](const Value& list) {
       MaskVertices chosen;
       for (const Value& v : list.list(1, limits::mask_vertices))
-        chosen.vertices.push_back(static_cast<std::uint32_t>(v.integer(whole_number)));
+        chosen.vertices.push_back(static_cast<std::uint32_t>(v.integer(uint32_range)));
       out = std::move(chosen), count_alternative(list);
     });
   }
@@ -241,12 +241,12 @@ class MemberReader {
   }
   /// Reads the place of a sample: one of three forms, whose members belong to the sample itself.
   void place(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
-    int places = 0;
-    member("position", [&](const Value& v) { out = PositionSample{v.triple(coordinate)}, ++places; });
-    member("screen", [&](const Value& v) { out = ScreenSample{v.pair(screen_coordinate)}, ++places; });
+    int forms = 0;
+    member("position", [&](const Value& v) { out = PositionSample{v.triple(coordinate)}, ++forms; });
+    member("screen", [&](const Value& v) { out = ScreenSample{v.pair(screen_coordinate)}, ++forms; });
     const bool triangle = object_.has("triangle"), barycentric = object_.has("barycentric");
-    if (triangle || barycentric) out = surface_place(object_), ++places;
-    if (places != 1)
+    if (triangle || barycentric) out = surface_sample(object_), ++forms;
+    if (forms != 1)
       object_.value().refuse("A sample needs one place.", "one of position | screen | triangle with barycentric");
   }
 
@@ -306,7 +306,7 @@ Command read<Command>(const Value& value) {
       if (reader.name == word) read_one = reader.read;
     }
   });
-  if (!read_one || !value.fine()) return {};
+  if (!read_one || !value.ok()) return {};
   Command result = read_one(object);
   object.finish();
   return result;
@@ -319,7 +319,7 @@ T read(const Value& value) {
   T result{};
   members(reader, result);
   object.finish();
-  settle(value, result);
+  set_dependent_defaults(value, result);
   check(value, result);
   return result;
 }

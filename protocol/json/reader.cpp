@@ -49,16 +49,16 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t shown_bytes = 80;  // largest part of a user's word that a message quotes
+constexpr std::size_t max_quoted_bytes = 80;  // largest part of a user's word that a message quotes
 
 /// Formats a number; a whole one as "9000", not "9000.0".
 std::string short_number(double value) {
-  const bool whole = value == std::floor(value) && std::abs(value) < 1e15;
-  return whole ? std::to_string(static_cast<long long>(value)) : json(value).dump();
+  const bool is_integer = value == std::floor(value) && std::abs(value) < 1e15;
+  return is_integer ? std::to_string(static_cast<long long>(value)) : json(value).dump();
 }
 
-std::string shown(std::string_view word) {
-  return "\"" + std::string(word.substr(0, shown_bytes)) + (word.size() > shown_bytes ? "...\"" : "\"");
+std::string in_quotes(std::string_view word) {
+  return "\"" + std::string(word.substr(0, max_quoted_bytes)) + (word.size() > max_quoted_bytes ? "...\"" : "\"");
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ std::string Value::word_of(const std::vector<std::string_view>& known) const {
   }
   std::string word = json_->get<std::string>();
   if (!tolerant_ && std::find(known.begin(), known.end(), word) == known.end()) {
-    refuse(shown(word) + " is not known here.", limit, nearest_name(word, known));
+    refuse(in_quotes(word) + " is not known here.", limit, nearest_name(word, known));
   }
   return word;
 }
@@ -235,7 +235,7 @@ void Object::finish() const {
   if (!value_.tree().is_object() || value_.tolerant()) return;
   for (const auto& [name, ignored] : value_.tree().items()) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
-    value_.member(name).refuse(shown(name) + " is not known here.", "", nearest_name(name, known_));
+    value_.member(name).refuse(in_quotes(name) + " is not known here.", "", nearest_name(name, known_));
   }
 }
 

@@ -39,7 +39,7 @@ class Value {
   void refuse_below(const std::string& path, std::string message, std::string limit = {}) const;
 
   /// Returns whether nothing in the document has been refused so far.
-  bool fine() const { return failure_->ok(); }
+  bool ok() const { return failure_->ok(); }
   const nlohmann::json& tree() const { return *json_; }
   bool tolerant() const { return tolerant_; }
   /// Returns a member that exists.

@@ -134,7 +134,7 @@ void check(const Value& value, const FrameRequest& request) {
 
 void check(const Value& value, const Knobs& knobs) { check_method(value, knobs); }
 
-void settle(const Value& value, Tracing& tracing) {
+void set_dependent_defaults(const Value& value, Tracing& tracing) {
   if (tracing.transport == Transport::paths && !given(value, "scattering"))
     tracing.scattering = StrandScattering::energy_conserving;
 }
@@ -146,7 +146,7 @@ void check(const Value& value, const Tracing& tracing) {
   if (!paths && given(value, "bounces")) value.refuse_below("bounces", "Only paths have bounces.", "transport paths");
 }
 
-void settle(const Value& value, Camera& camera) {
+void set_dependent_defaults(const Value& value, Camera& camera) {
   if (!given(value, "auto")) camera.automatic = AutoView::none;
 }
 

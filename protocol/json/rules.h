@@ -16,9 +16,9 @@ namespace pelage::json_parts {
 
 /// Sets members whose default depends on the members that were given.
 template <class T>
-void settle(const Value&, T&) {}
-void settle(const Value& value, Camera& camera);
-void settle(const Value& value, Tracing& tracing);
+void set_dependent_defaults(const Value&, T&) {}
+void set_dependent_defaults(const Value& value, Camera& camera);
+void set_dependent_defaults(const Value& value, Tracing& tracing);
 
 template <class T>
 void check(const Value&, const T&) {}

@@ -166,7 +166,7 @@ class MemberSchemas {
     add(name, number_schema("integer", range), value, words);
   }
   void seed(MemberName name, std::uint32_t value, const char* words = "") {
-    add(name, number_schema("integer", whole_number), value, words);
+    add(name, number_schema("integer", uint32_range), value, words);
   }
   template <class T>
   void counter(MemberName name, const T& value, const char* words = "") {
@@ -280,7 +280,7 @@ class MemberSchemas {
   }
   template <class Variant>
   void vertices(MemberName name, const Variant&, const char* words = "") {
-    add(name, list_schema(number_schema("integer", whole_number), {1, limits::mask_vertices}), {}, words);
+    add(name, list_schema(number_schema("integer", uint32_range), {1, limits::mask_vertices}), {}, words);
   }
   void special(MemberName name, const Backdrop<true>& backdrop, const char* words = "") {
     const Json known = {{"enum", {"transparent", "studio"}}};
@@ -298,7 +298,7 @@ class MemberSchemas {
     add("position", reference("Position"), {}, "A point on the skin, in the fur or anywhere else.");
     add("screen", list_schema(number_schema("number", screen_coordinate), {2, 2}), {},
         "A pixel of the stroke's view: from the top left, y down, centres at .5.");
-    add("triangle", number_schema("integer", whole_number), {}, "Number of a triangle.");
+    add("triangle", number_schema("integer", uint32_range), {}, "Number of a triangle.");
     add("barycentric", reference("Barycentric"), {}, "");
   }
 

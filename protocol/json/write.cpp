@@ -144,15 +144,15 @@ class MemberWriter {
   }
   template <class T, class Variant>
   void alternative(MemberName name, const Variant& value, const char* = "") {
-    if (const T* held = std::get_if<T>(&value)) json_[name.text] = written(*held);
+    if (const T* active = std::get_if<T>(&value)) json_[name.text] = written(*active);
   }
   template <class Variant>
   void alternative(MemberName name, const Variant& value, Range, const char* = "") {
-    if (const double* held = std::get_if<double>(&value)) json_[name.text] = *held;
+    if (const double* active = std::get_if<double>(&value)) json_[name.text] = *active;
   }
   template <class Variant>
   void vertices(MemberName name, const Variant& value, const char* = "") {
-    if (const auto* held = std::get_if<MaskVertices>(&value)) json_[name.text] = held->vertices;
+    if (const auto* active = std::get_if<MaskVertices>(&value)) json_[name.text] = active->vertices;
   }
   template <class T>
   void special(MemberName name, const T& value, const char* = "") {

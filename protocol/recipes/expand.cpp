@@ -17,10 +17,10 @@ constexpr const char* step_kinds = "op | commands | use | pick | for | comment";
 
 /// Returns the step without its comment, which is not sent.
 json without_comment(const json& step) {
-  json rest = json::object();
+  json copy = json::object();
   for (const auto& [name, member] : step.items())
-    if (name != "comment") rest[name] = member;
-  return rest;
+    if (name != "comment") copy[name] = member;
+  return copy;
 }
 
 }  // namespace

@@ -18,11 +18,11 @@ bool is_name_byte(char c) {
 class Parser {
  public:
   Parser(std::string_view text, const std::function<Result<double>(const std::string&)>& value_of)
-      : rest_(text), value_of_(value_of) {}
+      : remaining_(text), value_of_(value_of) {}
 
-  Result<double> whole() {
+  Result<double> parse() {
     const double value = sum();
-    if (next() != '\0') refuse("\"" + std::string(rest_) + "\" is left over.");
+    if (next() != '\0') refuse("\"" + std::string(remaining_) + "\" is left over.");
     if (!std::isfinite(value)) refuse("It is no finite number.");
     return status_.ok() ? Result<double>(value) : status_;
   }
@@ -31,7 +31,7 @@ class Parser {
   double sum() {
     double value = product();
     for (char c; (c = next()) == '+' || c == '-';) {
-      rest_.remove_prefix(1);
+      remaining_.remove_prefix(1);
       value += c == '+' ? product() : -product();
     }
     return value;
@@ -40,7 +40,7 @@ class Parser {
   double product() {
     double value = factor();
     for (char c; (c = next()) == '*' || c == '/';) {
-      rest_.remove_prefix(1);
+      remaining_.remove_prefix(1);
       const double other = factor();
       value = c == '*' ? value * other : value / other;
     }
@@ -50,12 +50,12 @@ class Parser {
   double factor() {
     const char c = next();
     if (c == '-' || c == '(') {
-      rest_.remove_prefix(1);
+      remaining_.remove_prefix(1);
       if (++depth_ > max_depth) return refuse("It is nested too deeply.");
       const double value = c == '-' ? -factor() : sum();
       --depth_;
       if (c == '(' && next() != ')') return refuse("A \"(\" is not closed.");
-      if (c == '(') rest_.remove_prefix(1);
+      if (c == '(') remaining_.remove_prefix(1);
       return value;
     }
     return std::isdigit(static_cast<unsigned char>(c)) || c == '.' ? number() : name();
@@ -63,27 +63,28 @@ class Parser {
 
   double number() {
     double value = 0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + rest_.size(), value);
-    if (error != std::errc()) return refuse("\"" + std::string(rest_) + "\" begins with no number.");
-    rest_.remove_prefix(static_cast<std::size_t>(end - rest_.data()));
+    const auto [end, error] = std::from_chars(remaining_.data(), remaining_.data() + remaining_.size(), value);
+    if (error != std::errc()) return refuse("\"" + std::string(remaining_) + "\" begins with no number.");
+    remaining_.remove_prefix(static_cast<std::size_t>(end - remaining_.data()));
     return value;
   }
 
   double name() {
     std::size_t size = 0;
-    while (size < rest_.size() && is_name_byte(rest_[size])) ++size;
+    while (size < remaining_.size() && is_name_byte(remaining_[size])) ++size;
     if (size == 0) return refuse("A number or a name is missing.");
-    const Result<double> value = status_.ok() ? value_of_(std::string(rest_.substr(0, size))) : Result<double>(0.0);
-    rest_.remove_prefix(size);
+    const Result<double> value =
+        status_.ok() ? value_of_(std::string(remaining_.substr(0, size))) : Result<double>(0.0);
+    remaining_.remove_prefix(size);
     if (!value && status_.ok()) status_ = value.status();
     return value ? *value : 0;
   }
 
   /// Skips blanks and returns the next character; 0 at the end and after a refusal.
   char next() {
-    if (!status_.ok()) rest_ = {};
-    rest_.remove_prefix(std::min(rest_.find_first_not_of(' '), rest_.size()));
-    return rest_.empty() ? '\0' : rest_.front();
+    if (!status_.ok()) remaining_ = {};
+    remaining_.remove_prefix(std::min(remaining_.find_first_not_of(' '), remaining_.size()));
+    return remaining_.empty() ? '\0' : remaining_.front();
   }
 
   double refuse(const std::string& message) {
@@ -91,7 +92,7 @@ class Parser {
     return 0;
   }
 
-  std::string_view rest_;
+  std::string_view remaining_;
   const std::function<Result<double>(const std::string&)>& value_of_;
   int depth_ = 0;
   Status status_;
@@ -102,7 +103,7 @@ class Parser {
 bool is_expression(std::string_view text) { return text.find_first_of("+-*/()") != std::string_view::npos; }
 
 Result<double> evaluate(std::string_view text, const std::function<Result<double>(const std::string& name)>& value_of) {
-  return Parser(text, value_of).whole();
+  return Parser(text, value_of).parse();
 }
 
 }  // namespace pelage

@@ -36,7 +36,7 @@ std::string dumped(const json& value) { return value.dump(-1, ' ', false, json::
 json Filler::fill(const json& value, const Scope& scope, const std::string& pointer) {
   if (!status_.ok()) return {};
   ++values_;
-  if (!has_room(scope, pointer)) return {};
+  if (!within_value_limit(scope, pointer)) return {};
   if (value.is_string()) return fill_text(value.get_ref<const std::string&>(), scope, pointer);
   if (!value.is_structured()) return value;
   json copy = value.is_array() ? json::array() : json::object();
@@ -128,10 +128,10 @@ json Filler::count(const json& value, const Scope& scope, const std::string& poi
   values_ += 1 + (value.is_primitive() && !value.is_string()
                       ? 0
                       : dumped(value).size() / (value.is_string() ? bytes_per_value : 2));
-  return has_room(scope, pointer) ? value : json();
+  return within_value_limit(scope, pointer) ? value : json();
 }
 
-bool Filler::has_room(const Scope& scope, const std::string& pointer) {
+bool Filler::within_value_limit(const Scope& scope, const std::string& pointer) {
   if (values_ <= recipe_values) return true;
   refuse(scope, "The steps are too much with their variables filled in.", pointer,
          "at most " + std::to_string(recipe_values) + " values");

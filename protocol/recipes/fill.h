@@ -44,7 +44,7 @@ class Filler {
   nlohmann::json variable(const std::string& name, const Scope& scope, const std::string& pointer);
   nlohmann::json expression(const std::string& text, const Scope& scope, const std::string& pointer);
   nlohmann::json count(const nlohmann::json& value, const Scope& scope, const std::string& pointer);
-  bool has_room(const Scope& scope, const std::string& pointer);
+  bool within_value_limit(const Scope& scope, const std::string& pointer);
   nlohmann::json place(const nlohmann::json& place, const Scope& scope, const std::string& pointer);
 
   const Bounds box_;

@@ -67,9 +67,9 @@ Result<const RecipeFile*> RecipeReader::read(const std::string& name, const std:
   file.steps = document["steps"];
   if (document.contains("variables")) file.variables = document["variables"];
   if (!document.contains("include")) return &file;
-  open_.push_back(std::filesystem::path(name).lexically_normal().generic_string());
+  include_chain_.push_back(std::filesystem::path(name).lexically_normal().generic_string());
   if (Status bad = include_all(file, document["include"]); !bad.ok()) return bad;
-  open_.pop_back();
+  include_chain_.pop_back();
   return &file;
 }
 
@@ -93,11 +93,11 @@ Status RecipeReader::include(RecipeFile& file, const json& wanted, const std::st
 
 Result<const RecipeFile*> RecipeReader::included(const RecipeFile& from, const std::string& name,
                                                  const std::string& pointer) {
-  if (std::find(open_.begin(), open_.end(), name) != open_.end())
-    return refused_in(from, "The files include one another in a circle: " + chain_of(open_, name) + ".", pointer,
-                      "no circles");
+  if (std::find(include_chain_.begin(), include_chain_.end(), name) != include_chain_.end())
+    return refused_in(from, "The files include one another in a circle: " + chain_of(include_chain_, name) + ".",
+                      pointer, "no circles");
   if (const auto known = by_name_.find(name); known != by_name_.end()) return known->second;
-  if (open_.size() + 1 > static_cast<std::size_t>(recipe_depth))
+  if (include_chain_.size() + 1 > static_cast<std::size_t>(recipe_depth))
     return refused_in(from, "Files include one another too deeply.", pointer,
                       "at most " + std::to_string(recipe_depth) + " files deep");
   if (files_.size() >= recipe_files)

@@ -47,7 +47,7 @@ class RecipeReader {
   const nlohmann::json& documents_;
   std::deque<RecipeFile> files_;                      // a deque, so that references stay valid
   std::map<std::string, const RecipeFile*> by_name_;  // files that have been read completely
-  std::vector<std::string> open_;                     // the files that are being read, each including the next
+  std::vector<std::string> include_chain_;            // the files that are being read, each including the next
 };
 
 }  // namespace pelage::json_parts

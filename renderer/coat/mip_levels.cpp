@@ -141,16 +141,16 @@ struct SlantedRays {
 
   double past(std::size_t k, double factor) const { return std::exp(-reached[k] - 2 * factor * here[k]); }
 
-  double let_through(double factor) const {
+  double transmittance(double factor) const {
     double sum = 0;
     for (std::size_t k = 0; k < here.size(); ++k) sum += past(k, factor);
     return sum / static_cast<double>(here.size());
   }
 
-  /// Returns the uncertainty of let_through for this number of rays: half of their standard error, because evenly
+  /// Returns the uncertainty of `transmittance` for this number of rays: half of their standard error, because evenly
   /// spread rays have less error than random ones.
   double uncertainty(double factor) const {
-    const double mean = let_through(factor);
+    const double mean = transmittance(factor);
     double squares = 0;
     for (std::size_t k = 0; k < here.size(); ++k) squares += (past(k, factor) - mean) * (past(k, factor) - mean);
     return 0.5 * std::sqrt(squares) / static_cast<double>(here.size());
@@ -161,12 +161,12 @@ struct SlantedRays {
   /// difference: deep in fur of wide strands few rays are left, and an exact factor for them would swing from slice to
   /// slice.
   double match(double wanted, std::optional<double> last) const {
-    const double as_last = let_through(last.value_or(1)), unknown = last ? uncertainty(*last) : 0;
+    const double as_last = transmittance(last.value_or(1)), unknown = last ? uncertainty(*last) : 0;
     const double aim = std::clamp(as_last, wanted - unknown, wanted + unknown);
     if (aim == as_last) return last.value_or(1);
     const double middle = last ? std::log2(*last) : 0, range = last ? 1 : 5;
     return bisect(std::max(-5.0, middle - range), std::min(5.0, middle + range), 16, aim,
-                  [&](double factor) { return let_through(factor); });
+                  [&](double factor) { return transmittance(factor); });
   }
 };
 
@@ -265,7 +265,7 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   return level;
 }
 
-using LetThrough = std::array<std::array<double, slice_count>, 4>;  // for each of `slants`, then for each slice
+using SlantTransmittance = std::array<std::array<double, slice_count>, 4>;  // for each of `slants`, then for each slice
 
 /// Returns a slice of `texels` a side at half the resolution.
 std::vector<SliceTexel> halved(const Coat& coat, const std::vector<SliceTexel>& slice, int texels) {
@@ -292,16 +292,16 @@ Stack halved_stack(const Coat& coat, const Stack& stack, int texels) {
   return result;
 }
 
-SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const LetThrough& open) {
+SliceLevel make_level(const Coat& coat, const Stack& stack, int texels, const SlantTransmittance& traced) {
   const double across =
       nominal_length / slice_count / coat.tile * texels;  // texels that a ray at 45 degrees moves for each slice
-  Factors factors = match_slices(stack, texels, slants[1] * across, open[1]);
+  Factors factors = match_slices(stack, texels, slants[1] * across, traced[1]);
   const double scale = fit_to_bytes(stack, factors);
   SliceLevel level = pack(stack, factors, texels);
   const auto at_slant = [&](std::size_t k) {
-    return reaching_scale(stack, factors, texels, slants[k] * across, mean_of(open[k])) / std::hypot(1.0, slants[k]);
+    return reaching_scale(stack, factors, texels, slants[k] * across, mean_of(traced[k])) / std::hypot(1.0, slants[k]);
   };
-  level.depth_scale = {std::min(matching_scale(stack, factors, texels, open[0][0]), 2 * scale), scale, at_slant(2),
+  level.depth_scale = {std::min(matching_scale(stack, factors, texels, traced[0][0]), 2 * scale), scale, at_slant(2),
                        at_slant(3)};
   return level;
 }
@@ -335,17 +335,17 @@ void set_light(const std::vector<float>& cells, std::vector<SliceTexel>& slice) 
 
 std::vector<SliceLevel> build_levels(const Coat& coat, const std::vector<Strand>& strands, Stack stack) {
   assert(stack.size() == slice_count);
-  LetThrough open;
-  const auto let_through = [&](std::size_t k) { open[k] = rays_let_through(coat, strands, slants[k]); };
-  run_both([&] { let_through(1), let_through(3); }, [&] { let_through(0), let_through(2); });
+  SlantTransmittance traced;
+  const auto transmittance = [&](std::size_t k) { traced[k] = ray_transmittance(coat, strands, slants[k]); };
+  run_both([&] { transmittance(1), transmittance(3); }, [&] { transmittance(0), transmittance(2); });
   std::vector<SliceLevel> levels(slice_levels);
-  run_both([&] { levels[0] = make_level(coat, stack, slice_texels, open); },
+  run_both([&] { levels[0] = make_level(coat, stack, slice_texels, traced); },
            [&] {
              const Stack* finer = &stack;
              Stack coarse;
              for (int level = 1; level < slice_levels; ++level) {
                coarse = halved_stack(coat, *finer, slice_texels >> (level - 1)), finer = &coarse;
-               levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, slice_texels >> level, open);
+               levels[static_cast<std::size_t>(level)] = make_level(coat, coarse, slice_texels >> level, traced);
              }
            });
   return levels;

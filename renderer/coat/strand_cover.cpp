@@ -33,22 +33,22 @@ Stretch stretch_of(const Coat& coat, const Strand& strand, int slice) {
 
 /// Rays, indexed by their tile position at the height 0: 1 for those that nothing has stopped, and their number.
 struct Rays {
-  std::vector<std::uint8_t> open = std::vector<std::uint8_t>(ray_side * ray_side, 1);
+  std::vector<std::uint8_t> passing = std::vector<std::uint8_t>(ray_side * ray_side, 1);
   int left = ray_side * ray_side;
 
   /// Stops the rays that a disc hits while it moves from one position to another: slanted rays would slip between the
   /// fixed discs of thin strands.
   void stop(glm::dvec2 from, glm::dvec2 to, double radius) {
-    const glm::dvec2 way = to - from;
-    const double square = std::max(glm::dot(way, way), 1e-12);
+    const glm::dvec2 segment = to - from;
+    const double square = std::max(glm::dot(segment, segment), 1e-12);
     const glm::ivec2 low(glm::ceil(glm::min(from, to) - radius - 0.5)),
         high(glm::floor(glm::max(from, to) + radius - 0.5));
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
-        std::uint8_t& ray = open[static_cast<std::size_t>((y & (ray_side - 1)) * ray_side + (x & (ray_side - 1)))];
+        std::uint8_t& ray = passing[static_cast<std::size_t>((y & (ray_side - 1)) * ray_side + (x & (ray_side - 1)))];
         if (ray == 0) continue;
         const glm::dvec2 at = glm::dvec2(x + 0.5, y + 0.5) - from;
-        const glm::dvec2 apart = at - std::clamp(glm::dot(at, way) / square, 0.0, 1.0) * way;
+        const glm::dvec2 apart = at - std::clamp(glm::dot(at, segment) / square, 0.0, 1.0) * segment;
         if (glm::dot(apart, apart) > radius * radius) continue;
         --left, ray = 0;
       }
@@ -76,7 +76,8 @@ void cut_slice(const Coat& coat, const std::vector<Strand>& strands, int slice, 
 
 }  // namespace
 
-std::array<double, slice_count> rays_let_through(const Coat& coat, const std::vector<Strand>& strands, double tangent) {
+std::array<double, slice_count> ray_transmittance(const Coat& coat, const std::vector<Strand>& strands,
+                                                  double tangent) {
   std::array<double, slice_count> result{};
   Rays rays;
   for (int slice = slice_count - 1; slice >= 0; --slice) {

@@ -11,7 +11,7 @@ namespace pelage {
 
 /// Returns for each slice the share of rays from above that get past it, in [0, 1], decreasing from the last slice to
 /// the first. The fur is upright and nominal_length long; `tangent` is that of the rays' angle to the normal.
-std::array<double, slice_count> rays_let_through(const Coat& coat, const std::vector<Strand>& strands, double tangent);
+std::array<double, slice_count> ray_transmittance(const Coat& coat, const std::vector<Strand>& strands, double tangent);
 
 inline constexpr int crossing_cells = 64;  // cells along a side of the tile
 

@@ -32,14 +32,14 @@ ClumpGrid::ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t
   }
 }
 
-NearestClumps ClumpGrid::nearest_two(glm::dvec2 place) const {
-  const glm::ivec2 cell(glm::floor(place / tile_ * double(side_)));
+NearestClumps ClumpGrid::nearest_two(glm::dvec2 position) const {
+  const glm::ivec2 cell(glm::floor(position / tile_ * double(side_)));
   NearestClumps near{{}, 1e300, 1e300};
   for (int y = cell.y - 2; y <= cell.y + 2; ++y) {
     for (int x = cell.x - 2; x <= cell.x + 2; ++x) {
       StrandClump clump = clumps_[static_cast<std::size_t>(wrap(y) * side_ + wrap(x))];
       clump.centre += glm::dvec2(x - wrap(x), y - wrap(y)) * (tile_ / side_);
-      const double distance = glm::distance(clump.centre, place);
+      const double distance = glm::distance(clump.centre, position);
       near.to_second = std::min(near.to_second, std::max(distance, near.to_first));
       if (distance < near.to_first) near.first = clump, near.to_first = distance;
     }
@@ -60,11 +60,11 @@ ClumpMap bake_clump_map(const Coat& coat) {
   map.texels.reserve(4 * ClumpMap::side * ClumpMap::side);
   for (int y = 0; y < ClumpMap::side; ++y) {
     for (int x = 0; x < ClumpMap::side; ++x) {
-      const glm::dvec2 place = (glm::dvec2(x, y) + 0.5) * (coat.tile / ClumpMap::side);
-      const NearestClumps near = clumps.nearest_two(place);
-      const glm::dvec2 way = (near.first.centre - place) / (coat.tile * map.reach);
+      const glm::dvec2 position = (glm::dvec2(x, y) + 0.5) * (coat.tile / ClumpMap::side);
+      const NearestClumps near = clumps.nearest_two(position);
+      const glm::dvec2 to_centre = (near.first.centre - position) / (coat.tile * map.reach);
       const double inside = (near.to_second - near.to_first) / std::max(near.to_second + near.to_first, 1e-12);
-      for (const double value : {0.5 + 0.5 * way.x, 0.5 + 0.5 * way.y, inside, near.first.pull})
+      for (const double value : {0.5 + 0.5 * to_centre.x, 0.5 + 0.5 * to_centre.y, inside, near.first.pull})
         map.texels.push_back(unorm8(value));
     }
   }
@@ -73,13 +73,13 @@ ClumpMap bake_clump_map(const Coat& coat) {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double two_pi = 2 * std::numbers::pi;
 
 glm::dvec2 unit(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// Returns a root's position. Roots are evenly but not regularly spread for any count: the R2 low-discrepancy sequence
 /// (Roberts 2018), which is periodic as the tile is, with jitter.
-glm::dvec2 root_place(const Coat& coat, int index, Random& random) {
+glm::dvec2 root_position(const Coat& coat, int index, Random& random) {
   const glm::dvec2 step(0.7548776662466927, 0.5698402909980532);
   const glm::dvec2 jitter(random.uniform(-0.4, 0.4), random.uniform(-0.4, 0.4));
   return glm::fract(step * (index + 1.0) + jitter / std::sqrt(static_cast<double>(coat.count))) * coat.tile;
@@ -99,11 +99,11 @@ struct Clumps {
   std::optional<ClumpGrid> fine, lodged;
 };
 
-/// Returns the tangent of the angle from the normal by which the lodged patch around `place` presses its strands: full
-/// in the patch's middle, 0 at its edge. A third of the patches stand upright.
-glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place) {
-  const StrandClump patch = patches.nearest(place);
-  const double from_middle = glm::distance(patch.centre, place) / coat.lodge_size;
+/// Returns the tangent of the angle from the normal by which the lodged patch around `position` presses its strands:
+/// full in the patch's middle, 0 at its edge. A third of the patches stand upright.
+glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 position) {
+  const StrandClump patch = patches.nearest(position);
+  const double from_middle = glm::distance(patch.centre, position) / coat.lodge_size;
   const double weight = (1 - glm::smoothstep(0.35, 0.75, from_middle)) * glm::smoothstep(-0.5, 0.0, patch.length);
   return glm::normalize(patch.bow + glm::dvec2(1e-9, 0)) * (1.8 * coat.lodge * weight);
 }
@@ -111,7 +111,7 @@ glm::dvec2 lodging(const Coat& coat, const ClumpGrid& patches, glm::dvec2 place)
 /// Adds heading, wave and extra bow to a strand. They have their own random numbers, so that strands without them do
 /// not change.
 void add_forms(const Coat& coat, const Clumps& clumps, const StrandClump& clump, Random& random, Strand& strand) {
-  const double straggle = random.uniform(0, turn), bow = random.uniform(0, turn), amount = random.uniform(0.2, 1);
+  const double straggle = random.uniform(0, two_pi), bow = random.uniform(0, two_pi), amount = random.uniform(0.2, 1);
   glm::dvec2 tangent = unit(straggle) * (coat.mess * amount);
   if (clumps.lodged) tangent += lodging(coat, *clumps.lodged, strand.root);
   const double upright = 1 / std::sqrt(1 + glm::dot(tangent, tangent));  // cosine; leaning strands reach less high
@@ -121,7 +121,7 @@ void add_forms(const Coat& coat, const Clumps& clumps, const StrandClump& clump,
   // The strands of a clump wave nearly in phase, or waves would not be visible.
   const double swing = std::atan2(clump.bow.y, clump.bow.x) + random.uniform(-0.35, 0.35);
   strand.wave = unit(swing) * (coat.wave * nominal_length * random.uniform(0.8, 1.2));
-  strand.wave_phase = turn * clump.lightness + random.uniform(-0.5, 0.5);
+  strand.wave_phase = two_pi * clump.lightness + random.uniform(-0.5, 0.5);
 }
 
 /// Makes a strand part of the undercoat or of the ticking, by chance.
@@ -149,15 +149,15 @@ std::vector<Strand> make_strands(const Coat& coat) {
   strands.reserve(static_cast<std::size_t>(coat.count));
   for (int i = 0; i < coat.count; ++i) {
     Strand strand;
-    strand.root = root_place(coat, i, random);
+    strand.root = root_position(coat, i, random);
     const StrandClump lock = clumps.fine ? clumps.fine->nearest(strand.root) : StrandClump{.centre = strand.root};
     const StrandClump clump = clumps.coarse.nearest(lock.centre);  // a whole lock belongs to one clump
-    const double angle = random.uniform(0, turn), own = random.uniform(), of_clump = clumps.gather;
+    const double angle = random.uniform(0, two_pi), own = random.uniform(), of_clump = clumps.gather;
     strand.fine_clump = lock.centre - strand.root;
     strand.clump = (clump.centre - strand.root) * glm::mix(clump.pull, 1.0, coat.wetness);
     const double same_bow = of_clump * glm::mix(0.8, 1.0, coat.wetness);
     strand.bow = coat.bend * nominal_length * glm::mix(unit(angle) * random.uniform(), clump.bow, same_bow);
-    strand.curl_phase = glm::mix(random.uniform(0, turn), turn * (clump.lightness + 1), coat.curl_together);
+    strand.curl_phase = glm::mix(random.uniform(0, two_pi), two_pi * (clump.lightness + 1), coat.curl_together);
     const double shorter = glm::mix(own, 0.5 - 0.5 * clump.length, of_clump * 0.4);
     strand.length_share = std::max(0.02, 1 - coat.length_spread * shorter);
     // Under one film of water the strands of a clump look alike.
@@ -177,14 +177,14 @@ glm::dvec2 free_offset(const Coat& coat, const Strand& strand, double q) {
   const double settled = std::min(1.0, 4 * q);  // curls and waves grow out of the root
   glm::dvec2 offset = strand.bow * (q * q) + strand.heading * q;
   if (coat.curl > 0) {
-    offset += unit(strand.curl_phase + turn * coat.curl_turns * q) * (coat.curl * nominal_length * settled);
+    offset += unit(strand.curl_phase + two_pi * coat.curl_turns * q) * (coat.curl * nominal_length * settled);
   }
-  if (coat.wave > 0) offset += strand.wave * (std::sin(strand.wave_phase + turn * coat.wave_turns * q) * settled);
+  if (coat.wave > 0) offset += strand.wave * (std::sin(strand.wave_phase + two_pi * coat.wave_turns * q) * settled);
   return offset;
 }
 
 double winding(const Coat& coat) {
-  const double around = turn * coat.curl * coat.curl_turns, aside = 4 * coat.wave * coat.wave_turns;
+  const double around = two_pi * coat.curl * coat.curl_turns, aside = 4 * coat.wave * coat.wave_turns;
   return std::hypot(1.0, around, aside);
 }
 

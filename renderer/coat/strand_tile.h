@@ -31,9 +31,9 @@ class ClumpGrid {
   /// Makes clumps about `size` apart on a tile of side `tile`, both in sizes. Deterministic in all four arguments.
   ClumpGrid(double tile, double size, std::uint64_t seed, std::uint64_t stream);
 
-  /// Returns the nearest clump on the periodic tile, with its centre moved by whole tiles to lie next to `place`.
-  StrandClump nearest(glm::dvec2 place) const { return nearest_two(place).first; }
-  NearestClumps nearest_two(glm::dvec2 place) const;
+  /// Returns the nearest clump on the periodic tile, with its centre moved by whole tiles to lie next to `position`.
+  StrandClump nearest(glm::dvec2 position) const { return nearest_two(position).first; }
+  NearestClumps nearest_two(glm::dvec2 position) const;
 
  private:
   int wrap(int i) const { return (i % side_ + side_) % side_; }

@@ -148,9 +148,9 @@ Image error_picture(const std::vector<float>& errors, int width, int height) {
   Image picture{width, height, {}};
   picture.rgba.reserve(errors.size() * 4);
   for (float error : errors) {
-    const double place = (std::isnan(error) ? 1.0 : std::clamp(static_cast<double>(error), 0.0, 1.0)) * 10;
-    const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(place), 9);
-    const double share = place - static_cast<double>(below);
+    const double position = (std::isnan(error) ? 1.0 : std::clamp(static_cast<double>(error), 0.0, 1.0)) * 10;
+    const std::size_t below = std::min<std::size_t>(static_cast<std::size_t>(position), 9);
+    const double share = position - static_cast<double>(below);
     for (std::size_t k = 0; k < 3; ++k) {
       const double value = ramp[below][k] + share * (ramp[below + 1][k] - ramp[below][k]);
       picture.rgba.push_back(static_cast<std::uint8_t>(std::lround(value * 255)));
@@ -205,7 +205,7 @@ double film(double x) {
   return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
 }
 
-double shown(double value, ToneMap tone_map) {
+double display_value(double value, ToneMap tone_map) {
   const double positive = std::max(value, 0.0);
   return std::clamp(tone_map == ToneMap::filmic ? film(positive) : positive, 0.0, 1.0);
 }
@@ -260,7 +260,7 @@ FloatImage as_displayed(const FloatImage& image, const CompareOptions& options) 
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     const double alpha = std::clamp(static_cast<double>(image.rgba[i + 3]), 0.0, 1.0);
     for (std::size_t k = 0; k < 3; ++k) {
-      const double colour = alpha > 0 ? shown(image.rgba[i + k] / alpha, tone_map) : 0;
+      const double colour = alpha > 0 ? display_value(image.rgba[i + k] / alpha, tone_map) : 0;
       displayed.rgba[i + k] = static_cast<float>(colour * alpha + options.background * (1 - alpha));
     }
   }

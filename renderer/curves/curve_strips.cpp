@@ -23,25 +23,26 @@ glm::dvec3 spline_point(std::span<const glm::dvec3> points, double t) {
 
 namespace {
 
-constexpr std::size_t places_of_curve = curve_segments + 1;
+constexpr std::size_t points_of_curve = curve_segments + 1;
 constexpr double max_turn = std::numbers::pi / 6, max_growth = 0.5;  // limits for filled curves at a spread of 1
 
 /// An evaluated guide, or a mix of two.
 struct Curve {
-  std::vector<glm::dvec3> places;
+  std::vector<glm::dvec3> positions;
   glm::dvec3 normal;
 };
 
 Curve evaluated(const FurGuide& guide) {
   Curve curve{{}, guide.normal};
-  for (std::size_t i = 0; i < places_of_curve; ++i)
-    curve.places.push_back(spline_point(guide.points, static_cast<double>(i) / curve_segments));
+  for (std::size_t i = 0; i < points_of_curve; ++i)
+    curve.positions.push_back(spline_point(guide.points, static_cast<double>(i) / curve_segments));
   return curve;
 }
 
 Curve mixed(const Curve& a, const Curve& b, double at) {
   Curve curve{{}, glm::mix(a.normal, b.normal, at)};
-  for (std::size_t i = 0; i < places_of_curve; ++i) curve.places.push_back(glm::mix(a.places[i], b.places[i], at));
+  for (std::size_t i = 0; i < points_of_curve; ++i)
+    curve.positions.push_back(glm::mix(a.positions[i], b.positions[i], at));
   const double length = glm::length(curve.normal);
   curve.normal = length > 1e-9 ? curve.normal / length : a.normal;
   return curve;
@@ -57,14 +58,14 @@ glm::dvec3 turned(glm::dvec3 v, glm::dvec3 axis, double angle) {
 void stray(Curve& curve, double spread, Random& random) {
   const double growth = 1 + max_growth * spread * random.uniform(-1, 1), angle = max_turn * spread * random.uniform();
   const glm::dvec3 any(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-  const glm::dvec3 root = curve.places.front(), across = glm::cross(curve.places.back() - root, any);
+  const glm::dvec3 root = curve.positions.front(), across = glm::cross(curve.positions.back() - root, any);
   const double length = glm::length(across);
   const glm::dvec3 axis = length > 1e-30 ? across / length : glm::dvec3(0, 1, 0);
-  for (glm::dvec3& place : curve.places) place = root + growth * turned(place - root, axis, angle);
+  for (glm::dvec3& position : curve.positions) position = root + growth * turned(position - root, axis, angle);
 }
 
 void append(const Curve& curve, const FurCurves& group, double number, CurveStrips& strips) {
-  for (const glm::dvec3& place : curve.places) strips.points.emplace_back(place);
+  for (const glm::dvec3& position : curve.positions) strips.points.emplace_back(position);
   strips.styles.push_back({glm::vec4(group.root_colour, group.width_root), glm::vec4(group.tip_colour, group.width_tip),
                            glm::vec4(glm::vec3(curve.normal), number)});
 }

@@ -32,7 +32,7 @@ namespace {
 constexpr double white_light = 1000;  // candela per square metre; a bright room
 
 /// Returns the irradiance of a light on a surface at the eye's position whose normal is the eye's view direction.
-double brought_by(const FurLight& light, const FurEye& eye) {
+double luminance_from(const FurLight& light, const FurEye& eye) {
   glm::dvec3 to_light = -glm::dvec3(light.direction);
   double share = 1;
   if (light.kind != LightKind::directional) {
@@ -73,7 +73,7 @@ PupilAxes pupil_axes(PupilShape shape, double size) {
 
 double luminance_at(const FurEye& eye, const FurFrame& frame) {
   double sum = frame.look.ambient;
-  for (const FurLight& light : frame.lights) sum += brought_by(light, eye);
+  for (const FurLight& light : frame.lights) sum += luminance_from(light, eye);
   return white_light * sum;
 }
 

@@ -25,7 +25,7 @@ struct Encoder {
 
 HWY_INLINE Int number_of(const Encoding& encoding, Real share) {
   const Int number = to_int(share * static_cast<float>(encoding.largest) + 0.5f);
-  return hn::Min(hn::Max(number, whole(0)), whole(encoding.largest));
+  return hn::Min(hn::Max(number, splat(0)), splat(encoding.largest));
 }
 
 HWY_INLINE void encode(const Encoding& encoding, Real x, float y, const float* light, const float* overlay,
@@ -46,7 +46,7 @@ HWY_INLINE void encode(const Encoding& encoding, Real x, float y, const float* l
 }
 
 void EncodeRow(const Encoding& encoding, int row, const float* light, const float* overlay, std::int32_t* numbers) {
-  static_assert(encoded_together % lane_count == 0);
+  static_assert(encode_batch % lane_count == 0);
   const Real middles = to_real(hn::Iota(int_tag, 0)) + 0.5f;
   const float y = static_cast<float>(row) + 0.5f;
   for (int x = 0; x < encoding.width; x += lane_count)

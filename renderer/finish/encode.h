@@ -7,7 +7,7 @@
 namespace pelage {
 
 /// Maximum number of pixels encoded at once; rows are padded to a multiple of it.
-inline constexpr int encoded_together = 16;
+inline constexpr int encode_batch = 16;
 
 struct Encoding {
   float exposure = 1;  // factor

@@ -32,7 +32,7 @@ void finish_into(const FurFrame& frame, const FinishInput& input, int top, int b
   const ResizedLight resized(input.light, frame.width, frame.height);
   const auto row_numbers = 4 * static_cast<std::size_t>(frame.width);
   const auto finish_run = [&](std::uint32_t run) {
-    std::vector<float> row(row_numbers + 4 * encoded_together), over(input.overlay ? row.size() : 0);
+    std::vector<float> row(row_numbers + 4 * encode_batch), over(input.overlay ? row.size() : 0);
     std::vector<std::int32_t> numbers(row.size());
     const int begin = top + static_cast<int>(run) * rows_together, end = std::min(bottom, begin + rows_together);
     for (int y = begin; y < end; ++y) {

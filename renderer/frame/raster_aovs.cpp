@@ -30,7 +30,7 @@ RasterOutput output_of(Aov aov) {
 namespace {
 
 /// Returns the point on a pixel's ray at a distance along the view.
-glm::vec3 place_at(const FurFrame& frame, int x, int y, float distance) {
+glm::vec3 position_at(const FurFrame& frame, int x, int y, float distance) {
   const FurCamera& camera = frame.camera;
   const float over = 2 * camera.tan_half_fov / static_cast<float>(frame.height);
   const glm::vec2 off = (glm::vec2(x, y) + 0.5f - 0.5f * glm::vec2(frame.width, frame.height)) * over;
@@ -44,7 +44,7 @@ glm::vec4 ruled(const FurFrame& frame, Aov aov, glm::vec4 mean, int x, int y) {
   switch (aov) {
     case Aov::depth: return {mean.r, 0, 0, 1};
     case Aov::strand: return {rgb, 1};
-    case Aov::position: return {alpha > 0 ? place_at(frame, x, y, mean.r / mean.a) : glm::vec3(0), alpha};
+    case Aov::position: return {alpha > 0 ? position_at(frame, x, y, mean.r / mean.a) : glm::vec3(0), alpha};
     case Aov::normal:
     case Aov::tangent: return {glm::dot(rgb, rgb) > 1e-12f ? glm::normalize(rgb) : glm::vec3(0), alpha};
     case Aov::shadow: return {glm::vec3(mean.g > 0 ? std::clamp(mean.r / mean.g, 0.0f, 1.0f) : 1), alpha};

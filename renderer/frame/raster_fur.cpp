@@ -21,16 +21,16 @@ void RasterFur::grow(std::vector<GrowRecipe> wanted, std::span<const FurCurves> 
   recipes = std::move(wanted), changes = copy.changes(), curves.assign(with.begin(), with.end()), bending = how;
 }
 
-void RasterFur::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
-  fur = GrownFur(), raster = std::make_unique<Raster>(threads, room), recipes.clear();
+void RasterFur::drop(int threads, const std::shared_ptr<RasterScratch>& scratch) {
+  fur = GrownFur(), raster = std::make_unique<Raster>(threads, scratch), recipes.clear();
 }
 
 RasterModel::RasterModel(const FurModel& model, EachCoat<FurFields> fields, int threads,
-                         const std::shared_ptr<RasterRoom>& room)
+                         const std::shared_ptr<RasterScratch>& scratch)
     : copy(model, fields),
       fur_area(pelage::fur_area(model)),
-      whole(copy, 1, threads, room),
-      thin(copy, thin_share, threads, room) {}
+      full(copy, 1, threads, scratch),
+      thin(copy, thin_share, threads, scratch) {}
 
 std::vector<GrowRecipe> RasterModel::recipes_for(const FurFrame& frame) const {
   std::vector<GrowRecipe> recipes = recipes_of(frame, copy.model().has_colours, fur_area);
@@ -48,8 +48,8 @@ std::vector<glm::vec3> RasterModel::field_of(const FurFrame& frame) const {
   const FurFields fields = copy.fields()[frame.overlay_coat];
   const FurModel& model = copy.model();
   const FieldValues value(frame, *std::max_element(fields.length.begin(), fields.length.end()));
-  const auto at = [](std::span<const float> painted, std::size_t v, float rest) {
-    return painted.empty() ? rest : painted[v];
+  const auto at = [](std::span<const float> painted, std::size_t v, float fallback) {
+    return painted.empty() ? fallback : painted[v];
   };
   std::vector<glm::vec3> field(model.positions.size());
   for (std::size_t v = 0; v < field.size(); ++v)
@@ -59,8 +59,8 @@ std::vector<glm::vec3> RasterModel::field_of(const FurFrame& frame) const {
   return field;
 }
 
-void RasterModel::drop(int threads, const std::shared_ptr<RasterRoom>& room) {
-  whole.drop(threads, room), thin.drop(threads, room);
+void RasterModel::drop(int threads, const std::shared_ptr<RasterScratch>& scratch) {
+  full.drop(threads, scratch), thin.drop(threads, scratch);
 }
 
 }  // namespace pelage

@@ -18,8 +18,8 @@ inline constexpr double thin_share = 0.34;
 
 /// A model's fur as it was last drawn, with all of its strands or a share of them.
 struct RasterFur {
-  RasterFur(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterRoom>& room)
-      : copy(of), share_of_coat(share), raster(std::make_unique<Raster>(threads, room)) {}
+  RasterFur(const ModelCopy& of, double share, int threads, const std::shared_ptr<RasterScratch>& scratch)
+      : copy(of), share_of_coat(share), raster(std::make_unique<Raster>(threads, scratch)) {}
 
   const ModelCopy& copy;
   double share_of_coat;
@@ -34,26 +34,27 @@ struct RasterFur {
   /// Grows what has changed since the last call.
   void grow(std::vector<GrowRecipe> wanted, std::span<const FurCurves> with, Bending how, int threads);
   /// Frees the fur and the shadow cells.
-  void drop(int threads, const std::shared_ptr<RasterRoom>& room);
+  void drop(int threads, const std::shared_ptr<RasterScratch>& scratch);
   std::size_t bytes() const { return fur.bytes() + raster->bytes(); }
 };
 
 /// What is cached for a model.
 struct RasterModel {
-  RasterModel(const FurModel& model, EachCoat<FurFields> fields, int threads, const std::shared_ptr<RasterRoom>& room);
+  RasterModel(const FurModel& model, EachCoat<FurFields> fields, int threads,
+              const std::shared_ptr<RasterScratch>& scratch);
 
   ModelCopy copy;
   double fur_area;         // pelage::fur_area of the model, sizes^2
   std::uint64_t used = 0;  // when it was last used: RasterRenderer::uses_ then
-  RasterFur whole, thin;
+  RasterFur full, thin;
 
   std::vector<GrowRecipe> recipes_for(const FurFrame& frame) const;
   /// Returns for each vertex what the frame's overlay shows, which has to be a field.
   std::vector<glm::vec3> field_of(const FurFrame& frame) const;
-  bool is_grown() const { return !whole.recipes.empty() || !thin.recipes.empty(); }
-  void drop(int threads, const std::shared_ptr<RasterRoom>& room);
+  bool is_grown() const { return !full.recipes.empty() || !thin.recipes.empty(); }
+  void drop(int threads, const std::shared_ptr<RasterScratch>& scratch);
   /// Returns the bytes that drop() would free.
-  std::size_t grown_bytes() const { return whole.bytes() + thin.bytes(); }
+  std::size_t grown_bytes() const { return full.bytes() + thin.bytes(); }
 };
 
 }  // namespace pelage

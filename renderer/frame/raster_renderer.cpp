@@ -37,7 +37,7 @@ FurFrame scaled(const FurFrame& frame) {
 }
 
 /// Returns the crop of a frame, or all of it without one.
-Area whole_area(const FurFrame& frame) {
+Area full_area(const FurFrame& frame) {
   if (!frame.crop) return {0, 0, frame.width, frame.height};
   return {frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height};
 }
@@ -53,7 +53,7 @@ bool keeps_thin_share(const FurFrame& frame) {
            const RasterQuality quality = quality_of(frame.knobs, winding(coat));
            const double on_a_pixel = coat.count / (coat.tile * coat.tile) * pixel * pixel;
            return quality.strands_a_pixel <= of_draft &&
-                  quality.kept_share(on_a_pixel, coat.width_root / pixel) <= thin_share;
+                  quality.drawn_strand_share(on_a_pixel, coat.width_root / pixel) <= thin_share;
          });
 }
 
@@ -68,10 +68,10 @@ std::vector<std::array<SkinLook, 3>> skin_of(const RasterModel& own, const FurFr
   std::vector<std::array<SkinLook, 3>> skin(model.triangles.size());
   for_each_in_parallel(
       static_cast<std::uint32_t>(skin.size()),
-      [&](std::uint32_t piece) {
+      [&](std::uint32_t triangle) {
         std::vector<std::array<SkinLook, 3>> of_each;
-        for (const auto& grower : growers) of_each.push_back(grower->skin(piece));
-        skin[piece] = skin_under(of_each);
+        for (const auto& grower : growers) of_each.push_back(grower->skin(triangle));
+        skin[triangle] = skin_under(of_each);
       },
       threads);
   return skin;
@@ -88,12 +88,12 @@ FurFrame plate_of(const FurFrame& frame) {
 
 }  // namespace
 
-RasterRenderer::RasterRenderer(int threads) : threads_(threads), room_(std::make_shared<RasterRoom>()) {}
+RasterRenderer::RasterRenderer(int threads) : threads_(threads), scratch_(std::make_shared<RasterScratch>()) {}
 RasterRenderer::~RasterRenderer() = default;
 
 void RasterRenderer::take_gl(const Gl* gl) {
   gpu_.reset();
-  views_.clear_shown();
+  views_.invalidate();
   if (!gl) return;
   if (Result<std::unique_ptr<GpuRaster>> made = GpuRaster::create(*gl)) gpu_ = std::move(made).value();
 }
@@ -104,17 +104,17 @@ bool RasterRenderer::draws_on_gpu(const FurFrame& frame, Growth growth, DrawTime
   const DrawClock clock(times);
   if (!gpu_) return false;
   const auto can = [&](bool by_gpu) {
-    const RasterFur& standing = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
-    return gpu_->can_draw(standing.copy.model(), standing.fur);
+    const RasterFur& raster_fur = grown(frame, {RasterOutput::light, {}, nullptr, growth, by_gpu});
+    return gpu_->can_draw(raster_fur.copy.model(), raster_fur.fur);
   };
   // Asks about the fur as it is first, so that it does not grow again for nothing.
-  const bool as_it_was = standing_for(frame, growth).bending == Bending::left;
+  const bool as_it_was = fur_for(frame, growth).bending == Bending::left;
   return can(as_it_was) && can(true);
 }
 
 std::size_t RasterRenderer::add(const FurModel& model, EachCoat<FurFields> fields) {
   assert(!has(model.id));
-  return models_.try_emplace(model.id, std::make_unique<RasterModel>(model, fields, threads_, room_))
+  return models_.try_emplace(model.id, std::make_unique<RasterModel>(model, fields, threads_, scratch_))
       .first->second->copy.bytes();
 }
 
@@ -123,13 +123,13 @@ std::size_t RasterRenderer::update(std::uint64_t model, EachCoat<FurFields> fiel
 }
 
 void RasterRenderer::forget(std::uint64_t original) {
-  views_.give_back();  // if a model comes again, it is not known what has changed
+  views_.clear();  // if a model comes again, it is not known what has changed
   if (gpu_) gpu_->forget();
   std::erase_if(models_, [&](const auto& entry) { return entry.second->copy.original() == original; });
 }
 
 void RasterRenderer::forget_all() {
-  models_.clear(), views_.give_back();
+  models_.clear(), views_.clear();
   if (gpu_) gpu_->forget();
 }
 
@@ -140,54 +140,54 @@ std::size_t RasterRenderer::bytes_of(std::uint64_t original) const {
   return bytes;
 }
 
-void RasterRenderer::darken(const FurFrame& frame, RasterFur& standing, const Wanted& wanted,
+void RasterRenderer::darken(const FurFrame& frame, RasterFur& raster_fur, const Wanted& wanted,
                             FloatImage& picture) const {
   if (!frame.ground || wanted.shown != RasterOutput::light) return;
-  const RasterScene scene = scene_of(standing, frame, wanted);
-  for (const PixelBox& box : Raster::boxes_of(frame)) standing.raster->darken_box(scene, box, picture);
+  const RasterScene scene = scene_of(raster_fur, frame, wanted);
+  for (const PixelBox& box : Raster::boxes_of(frame)) raster_fur.raster->darken_box(scene, box, picture);
 }
 
 void RasterRenderer::grow(const FurFrame& frame) {
-  grown(scaled(frame), {RasterOutput::light, {}, nullptr, Growth::as_kept, has_gl()});
+  grown(scaled(frame), {RasterOutput::light, {}, nullptr, Growth::only_drawn, has_gl()});
 }
 
-RasterFur& RasterRenderer::standing_for(const FurFrame& frame, Growth growth) {
+RasterFur& RasterRenderer::fur_for(const FurFrame& frame, Growth growth) {
   RasterModel& own = *models_.at(frame.model);
-  return growth == Growth::as_kept && keeps_thin_share(frame) ? own.thin : own.whole;
+  return growth == Growth::only_drawn && keeps_thin_share(frame) ? own.thin : own.full;
 }
 
 RasterFur& RasterRenderer::grown(const FurFrame& frame, const Wanted& wanted) {
   RasterModel& own = *models_.at(frame.model);
   own.used = ++uses_;
-  RasterFur& standing = standing_for(frame, wanted.growth);
+  RasterFur& raster_fur = fur_for(frame, wanted.growth);
   const Bending bending = wanted.by_gpu ? Bending::left : Bending::done;
-  standing.grow(own.recipes_for(frame), frame.curves, bending, threads_);
-  keep_within_bounds(own);
-  return standing;
+  raster_fur.grow(own.recipes_for(frame), frame.curves, bending, threads_);
+  evict_others(own);
+  return raster_fur;
 }
 
-void RasterRenderer::keep_within_bounds(const RasterModel& own) {
+void RasterRenderer::evict_others(const RasterModel& own) {
   std::vector<RasterModel*> others;
   std::size_t bytes = 0;
   for (const auto& [id, model] : models_)
     if (model.get() != &own && model->is_grown()) others.push_back(model.get()), bytes += model->grown_bytes();
   std::sort(others.begin(), others.end(), [](const RasterModel* a, const RasterModel* b) { return a->used < b->used; });
   for (auto oldest = others.begin(); oldest != others.end() && bytes > max_bytes; ++oldest) {
-    bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, room_);
+    bytes -= (*oldest)->grown_bytes(), (*oldest)->drop(threads_, scratch_);
     if (gpu_) gpu_->forget();
-    views_.clear_shown();  // it is no longer known what has changed since they were drawn
+    views_.invalidate();  // it is no longer known what has changed since they were drawn
   }
 }
 
-RasterScene RasterRenderer::scene_of(RasterFur& standing, const FurFrame& frame, const Wanted& wanted) const {
-  RasterScene scene = standing.raster->scene_of(standing.copy.model(), standing.fur, frame,
-                                                quality_of(frame.knobs, winding(frame.coat())), wanted.shown);
-  if (!wanted.by_gpu) standing.raster->fill_cells(scene);
+RasterScene RasterRenderer::scene_of(RasterFur& raster_fur, const FurFrame& frame, const Wanted& wanted) const {
+  RasterScene scene = raster_fur.raster->scene_of(raster_fur.copy.model(), raster_fur.fur, frame,
+                                                  quality_of(frame.knobs, winding(frame.coat())), wanted.shown);
+  if (!wanted.by_gpu) raster_fur.raster->fill_cells(scene);
   scene.field = wanted.field, scene.drawn = wanted.tiles, scene.first_object = wanted.first_object;
   return scene;
 }
 
-bool RasterRenderer::cpu_goes_on(const Status& failed) {
+bool RasterRenderer::cpu_takes_over(const Status& failed) {
   if (failed.ok() || failed.code == Code::conflict || lost_gl()) return false;
   if (failed.code == Code::unavailable) take_gl(nullptr);
   return true;
@@ -199,7 +199,7 @@ Status RasterRenderer::draw_area(const FurFrame& frame, const Area& area, Wanted
   part.crop = Crop{area.left, area.top, area.width, area.height};
   if (wanted.by_gpu) {
     const Status drawn = draw_boxes(frame, Raster::boxes_of(part, gpu_->box_pixels()), wanted, times, pause, picture);
-    if (!cpu_goes_on(drawn)) return drawn;
+    if (!cpu_takes_over(drawn)) return drawn;
     wanted.by_gpu = false;
   }
   return draw_boxes(frame, Raster::boxes_of(part), wanted, times, pause, picture);
@@ -211,10 +211,10 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (i > 0 && pause && !pause()) return drawing_given_up();
     const DrawClock clock(times);
-    RasterFur& standing = grown(frame, wanted);  // during the pause it may have grown for another frame
-    const RasterScene scene = scene_of(standing, frame, wanted);
+    RasterFur& raster_fur = grown(frame, wanted);  // during the pause it may have grown for another frame
+    const RasterScene scene = scene_of(raster_fur, frame, wanted);
     if (!wanted.by_gpu) {
-      standing.raster->draw_box(scene, boxes[i], picture, counts);
+      raster_fur.raster->draw_box(scene, boxes[i], picture, counts);
       continue;
     }
     if (!gpu_) return failure(Code::unavailable, "the GL has gone");  // another drawing lost it during the pause
@@ -223,12 +223,12 @@ Status RasterRenderer::draw_boxes(const FurFrame& frame, std::span<const PixelBo
   return {};
 }
 
-Result<FloatImage> RasterRenderer::draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times,
-                                              const Pause& pause) {
+Result<FloatImage> RasterRenderer::draw_full_frame(const FurFrame& frame, Wanted wanted, DrawTimes& times,
+                                                   const Pause& pause) {
   wanted.by_gpu = wanted.shown != RasterOutput::objects && draws_on_gpu(frame, wanted.growth, times);
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   if (wanted.first_object >= first_coat_object + frame.coats.size()) return picture;  // the frame has no such objects
-  if (Status drawn = draw_area(frame, whole_area(frame), wanted, times, pause, picture); !drawn.ok()) return drawn;
+  if (Status drawn = draw_area(frame, full_area(frame), wanted, times, pause, picture); !drawn.ok()) return drawn;
   const DrawClock clock(times);
   if (!wanted.by_gpu) darken(frame, grown(frame, wanted), wanted, picture);
   return picture;
@@ -238,7 +238,7 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
                                                           DrawTimes& times, const Pause& pause) {
   const FurFrame drawn = scaled(frame);
   const bool numbered = std::ranges::any_of(aovs, [](Aov aov) { return output_of(aov) == RasterOutput::strand; });
-  const Growth growth = numbered ? Growth::all : Growth::as_kept;
+  const Growth growth = numbered ? Growth::all : Growth::only_drawn;
   std::vector<FloatImage> pictures;
   try {
     std::map<RasterOutput, FloatImage> drawn_before;  // outputs that several AOVs share
@@ -248,10 +248,10 @@ Result<std::vector<FloatImage>> RasterRenderer::draw_aovs(const FurFrame& frame,
       Result<FloatImage> image =
           before != drawn_before.end()
               ? before->second
-              : draw_whole(drawn, {shown, {}, nullptr, growth, false, first_object(aov)}, times, pause);
+              : draw_full_frame(drawn, {shown, {}, nullptr, growth, false, first_object(aov)}, times, pause);
       if (!image) return image.status();
       const DrawClock clock(times);
-      pictures.push_back(aov_picture(frame, aov, *image, standing_for(drawn, growth).fur.parts(), threads_));
+      pictures.push_back(aov_picture(frame, aov, *image, fur_for(drawn, growth).fur.parts(), threads_));
       if (shown == RasterOutput::light || shown == RasterOutput::strand)
         drawn_before.insert_or_assign(shown, std::move(*image));
     }
@@ -266,7 +266,7 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
   try {
     const std::vector<glm::vec3> field = models_.at(frame.model)->field_of(frame);
     const Result<FloatImage> drawn =
-        draw_whole(scaled(frame), {RasterOutput::field, field, nullptr, Growth::as_kept}, times, pause);
+        draw_full_frame(scaled(frame), {RasterOutput::field, field, nullptr, Growth::only_drawn}, times, pause);
     if (!drawn) return drawn.status();
     const DrawClock clock(times);
     const FloatImage values = resized_light(*drawn, frame.width, frame.height, threads_);
@@ -285,7 +285,7 @@ Result<FloatImage> RasterRenderer::field_overlay(const FurFrame& frame, DrawTime
 FloatImage RasterRenderer::draw_bare(RasterModel& model, const FurFrame& frame,
                                      std::span<const std::array<SkinLook, 3>> skin, RasterOutput shown) const {
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
-  Raster& raster = *model.whole.raster;
+  Raster& raster = *model.full.raster;
   const RasterScene scene = raster.bare_scene_of(model.copy.model(), skin, frame, shown);
   RasterCounts counts;
   for (const PixelBox& box : Raster::boxes_of(frame)) raster.draw_box(scene, box, picture, counts);
@@ -301,7 +301,7 @@ Result<FloatImage> RasterRenderer::shape_overlay(const FurFrame& frame, DrawTime
     const FurModel& shape = model.copy.model();
     const std::vector<std::array<SkinLook, 3>> skin(shape.triangles.size());
     return shape_picture(frame, shape, draw_bare(model, bare, skin, RasterOutput::normal),
-                         draw_bare(model, bare, skin, RasterOutput::piece), threads_);
+                         draw_bare(model, bare, skin, RasterOutput::triangle), threads_);
   } catch (const std::bad_alloc&) {
     return no_memory_for_frame();
   }
@@ -332,10 +332,10 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   const FurFrame drawn = scaled(frame);
   CachedView view = views_.take(frame, format);
   std::optional<ShownFrame> shown = std::exchange(view.shown, {});
-  Wanted wanted{RasterOutput::light, {}, nullptr, Growth::as_kept, draws_on_gpu(drawn, Growth::as_kept, times)};
+  Wanted wanted{RasterOutput::light, {}, nullptr, Growth::only_drawn, draws_on_gpu(drawn, Growth::only_drawn, times)};
   if (wanted.by_gpu) shown.reset();  // drawing all takes less time than finding what has changed
   if (!shown) view.light = empty_picture<FloatImage>(drawn.width, drawn.height);
-  Area area = whole_area(drawn);
+  Area area = full_area(drawn);
   std::optional<TileMask> tiles;
   if (shown) {
     const DrawClock clock(times);
@@ -347,12 +347,12 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
   if (area.pixels() > 0)
     if (Status done = draw_area(drawn, area, wanted, times, pause, view.light); !done.ok()) return done;
   const DrawClock clock(times);
-  RasterFur& standing = grown(drawn, wanted);
+  RasterFur& raster_fur = grown(drawn, wanted);
   const bool ground = frame.ground && area.pixels() > 0;  // its shadow may change anywhere
-  view.shown = {frame, shown && !ground ? shown->format : 0, standing.raster->version()};
+  view.shown = {frame, shown && !ground ? shown->format : 0, raster_fur.raster->version()};
   FloatImage light;
   const bool darkens = frame.ground && !wanted.by_gpu;
-  if (darkens) light = view.light, darken(drawn, standing, {RasterOutput::light}, light);
+  if (darkens) light = view.light, darken(drawn, raster_fur, {RasterOutput::light}, light);
   Picture picture = finish(view, darkens ? light : view.light, area);
   const double pixels = tiles ? std::min(area.pixels(), double{tile_pixels} * tiles->count()) : area.pixels();
   times.counters.redrawn = pixels / static_cast<double>(view.pixels());
@@ -362,12 +362,12 @@ Result<Picture> RasterRenderer::draw_finished(const FurFrame& frame, int format,
 
 Result<std::optional<Image>> RasterRenderer::draw_on_gpu(const FurFrame& frame, DrawTimes& times) {
   const FurFrame drawn = scaled(frame);
-  if (!draws_on_gpu(drawn, Growth::as_kept, times)) return std::optional<Image>();
+  if (!draws_on_gpu(drawn, Growth::only_drawn, times)) return std::optional<Image>();
   const DrawClock clock(times);
-  const Wanted wanted{RasterOutput::light, {}, nullptr, Growth::as_kept, true};
+  const Wanted wanted{RasterOutput::light, {}, nullptr, Growth::only_drawn, true};
   const RasterScene scene = scene_of(grown(drawn, wanted), drawn, wanted);
   Result<std::optional<Image>> picture = gpu_->draw_picture(scene, encoding_of(frame, 255));
-  if (!picture && cpu_goes_on(picture.status())) return std::optional<Image>();
+  if (!picture && cpu_takes_over(picture.status())) return std::optional<Image>();
   times.counters.redrawn = 1;
   return picture;
 }
@@ -380,12 +380,12 @@ Result<Image> RasterRenderer::draw(const FurFrame& frame, const FloatImage* over
       if (!picture) return picture.status();
       if (*picture) return std::move(**picture);
     }
-    return draw_finished<Image>(frame, kept_format(frame), times, pause,
+    return draw_finished<Image>(frame, cached_format(frame), times, pause,
                                 [&](CachedView& view, const FloatImage& light, const Area& area) {
                                   return finish_view(frame, {light, overlay, threads_}, area, view);
                                 });
   } catch (const std::bad_alloc&) {
-    views_.give_back();
+    views_.clear();
     return no_memory_for_frame();
   }
 }
@@ -397,7 +397,7 @@ Result<Image16> RasterRenderer::draw_deep(const FurFrame& frame, const FloatImag
       return finish_picture_deep(frame, {light, overlay, threads_});
     });
   } catch (const std::bad_alloc&) {
-    views_.give_back();
+    views_.clear();
     return no_memory_for_frame();
   }
 }

@@ -30,7 +30,7 @@ inline Status no_memory_for_frame() { return failure(Code::too_large, "no memory
 
 struct Gl;
 class GpuRaster;
-class RasterRoom;
+class RasterScratch;
 struct RasterFur;
 struct RasterModel;
 enum class RasterOutput;
@@ -76,27 +76,27 @@ class RasterRenderer {
   /// The same for an overlay that shows the shape of the model.
   Result<FloatImage> shape_overlay(const FurFrame& frame, DrawTimes& times);
   Result<Backplate> draw_backplate(const FurFrame& frame, DrawTimes& times);
-  void clear_view_cache() { views_.clear_shown(); }
+  void clear_view_cache() { views_.invalidate(); }
 
  private:
   /// Which strands of a coat grow: all, for outputs that number them, or no more than the frame keeps.
-  enum class Growth { all, as_kept };
+  enum class Growth { all, only_drawn };
   /// What is drawn of a frame, and how.
   struct Wanted {
     RasterOutput shown;
     std::span<const glm::vec3> field = {};  // for each vertex; RasterOutput::field alone
     const TileMask* tiles = nullptr;        // tiles to draw; null for all
-    Growth growth = Growth::as_kept;
+    Growth growth = Growth::only_drawn;
     bool by_gpu = false;
     std::size_t first_object = 0;  // RasterScene::first_object
   };
   /// Returns the fur of the frame's model from which it is drawn: all strands, or the thin share.
-  RasterFur& standing_for(const FurFrame& frame, Growth growth);
+  RasterFur& fur_for(const FurFrame& frame, Growth growth);
   /// Grows what has changed, as `wanted` asks. Evicts what is cached of other models if it takes too much memory, least
   /// recently used first.
   RasterFur& grown(const FurFrame& frame, const Wanted& wanted);
-  void keep_within_bounds(const RasterModel& own);
-  RasterScene scene_of(RasterFur& standing, const FurFrame& frame, const Wanted& wanted) const;
+  void evict_others(const RasterModel& own);
+  RasterScene scene_of(RasterFur& raster_fur, const FurFrame& frame, const Wanted& wanted) const;
   /// Draws an area of a frame into a picture; the frame has the size of its light. With wanted.by_gpu the GPU draws,
   /// and darkens the ground; if it fails, the CPU draws, without the ground, and by_gpu becomes false. Fails with
   /// conflict if the pause gives up, and with unavailable if the GL was lost.
@@ -105,15 +105,15 @@ class RasterRenderer {
   Status draw_boxes(const FurFrame& frame, std::span<const PixelBox> boxes, const Wanted& wanted, DrawTimes& times,
                     const Pause& pause, FloatImage& picture);
   /// Returns whether the CPU can make up for a failure of the GPU. A GPU that cannot build a shader draws nothing more.
-  bool cpu_goes_on(const Status& failed);
+  bool cpu_takes_over(const Status& failed);
   /// Grows a frame's strands. Returns whether the GPU can draw them.
   bool draws_on_gpu(const FurFrame& frame, Growth growth, DrawTimes& times);
   /// Draws a whole picture without an overlay and finishes it on the GPU. Returns none if draws_on_gpu is false or
   /// memory is short.
   Result<std::optional<Image>> draw_on_gpu(const FurFrame& frame, DrawTimes& times);
   /// Darkens the visible ground, if the frame has one and light is shown.
-  void darken(const FurFrame& frame, RasterFur& standing, const Wanted& wanted, FloatImage& picture) const;
-  Result<FloatImage> draw_whole(const FurFrame& frame, Wanted wanted, DrawTimes& times, const Pause& pause);
+  void darken(const FurFrame& frame, RasterFur& raster_fur, const Wanted& wanted, FloatImage& picture) const;
+  Result<FloatImage> draw_full_frame(const FurFrame& frame, Wanted wanted, DrawTimes& times, const Pause& pause);
   /// Draws the skin and the eyes alone, in unshadowed light.
   FloatImage draw_bare(RasterModel& model, const FurFrame& frame, std::span<const std::array<SkinLook, 3>> skin,
                        RasterOutput shown) const;
@@ -126,7 +126,7 @@ class RasterRenderer {
 
   int threads_;
   std::unique_ptr<GpuRaster> gpu_;  // null: the CPU draws
-  std::shared_ptr<RasterRoom> room_;
+  std::shared_ptr<RasterScratch> scratch_;
   std::map<std::uint64_t, std::unique_ptr<RasterModel>> models_;
   std::uint64_t uses_ = 0;
   ViewCache views_;

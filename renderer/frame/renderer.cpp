@@ -14,9 +14,9 @@ namespace {
 
 /// Returns a frame's crop of a picture of the frame's size, or all of it without a crop.
 template <class Picture>
-Picture crop_of(const FurFrame& frame, Picture whole) {
-  if (!frame.crop) return whole;
-  return cropped(whole, frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height);
+Picture crop_of(const FurFrame& frame, Picture full_frame) {
+  if (!frame.crop) return full_frame;
+  return cropped(full_frame, frame.crop->left, frame.crop->top, frame.crop->width, frame.crop->height);
 }
 
 bool is_layered(const FurFrame& frame) { return frame.knobs.method == Method::shells; }

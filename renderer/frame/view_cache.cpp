@@ -14,10 +14,10 @@ namespace {
 /// Returns a frame without the settings that only affect how its light is finished.
 FurFrame light_of(const FurFrame& frame) {
   FurFrame light = frame;
-  const FurFrame rest;
-  light.background = rest.background, light.background_colour = rest.background_colour;
-  light.exposure = rest.exposure, light.tone_map = rest.tone_map;
-  light.overlay = rest.overlay, light.difference.clear();
+  const FurFrame defaults;
+  light.background = defaults.background, light.background_colour = defaults.background_colour;
+  light.exposure = defaults.exposure, light.tone_map = defaults.tone_map;
+  light.overlay = defaults.overlay, light.difference.clear();
   return light;
 }
 
@@ -32,17 +32,17 @@ bool same_finish(const FurFrame& a, const FurFrame& b) {
 
 }  // namespace
 
-int kept_format(const FurFrame& frame) { return frame.overlay == Overlay::none ? 8 : 0; }
+int cached_format(const FurFrame& frame) { return frame.overlay == Overlay::none ? 8 : 0; }
 
 Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view) {
-  if (kept_format(frame) == 0) return finish_picture(frame, input);
-  if (view.shown->format == kept_format(frame)) {
+  if (cached_format(frame) == 0) return finish_picture(frame, input);
+  if (view.shown->format == cached_format(frame)) {
     const Area finished = finished_area(changed, {view.light.width, view.light.height}, {frame.width, frame.height});
     finish_rows(frame, input, finished.top, finished.top + finished.height, view.picture);
   } else {
     view.picture = finish_picture(frame, input);
   }
-  view.shown->format = kept_format(frame);
+  view.shown->format = cached_format(frame);
   return view.picture;
 }
 
@@ -53,12 +53,12 @@ CachedView ViewCache::take(const FurFrame& frame, int format) {
     const bool spare = std::any_of(views_.begin(), views_.end(), [](const CachedView& view) { return !view.shown; });
     if (!spare && views_.size() < max_views) return {};
     CachedView view = take_out(victim());
-    view.shown.reset(), view.came_back = false;
+    view.shown.reset(), view.requested_again = false;
     return view;
   }
   CachedView view = take_out(found);
   if (view.shown->format != format || !same_finish(view.shown->frame, frame)) view.shown->format = 0;
-  view.came_back = true;
+  view.requested_again = true;
   return view;
 }
 
@@ -79,7 +79,7 @@ ViewCache::Views::iterator ViewCache::victim() {
   };
   const auto spare = oldest(views_.begin(), [](const CachedView& view) { return !view.shown; });
   if (spare != views_.end()) return spare;
-  const auto once = oldest(std::next(views_.begin()), [](const CachedView& view) { return !view.came_back; });
+  const auto once = oldest(std::next(views_.begin()), [](const CachedView& view) { return !view.requested_again; });
   return once != views_.end() ? once : std::prev(views_.end());
 }
 

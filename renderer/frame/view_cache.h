@@ -18,7 +18,7 @@ namespace pelage {
 /// The frame that a cached view shows.
 struct ShownFrame {
   FurFrame frame;
-  int format = 0;             // kept_format of the finished picture, 0 if that is not of this frame
+  int format = 0;             // cached_format of the finished picture, 0 if that is not of this frame
   std::uint64_t changes = 0;  // Raster::version when it was drawn
 };
 
@@ -27,7 +27,7 @@ struct CachedView {
   FloatImage light;
   Image picture;                    // finished, 8 bits
   std::optional<ShownFrame> shown;  // what it shows; none if only its buffers are of use
-  bool came_back = false;           // it was requested more than once
+  bool requested_again = false;     // it was requested more than once
 
   std::int64_t pixels() const { return light.width * static_cast<std::int64_t>(light.height); }
 };
@@ -43,10 +43,10 @@ class ViewCache {
   /// Puts a view into the cache, and evicts views while there are too many or they are too large: first those that show
   /// nothing, then those that were requested once, as each frame of an orbit is, then the oldest.
   void keep(CachedView view);
-  void clear_shown() {
+  void invalidate() {
     for (CachedView& view : views_) view.shown.reset();
   }
-  void give_back() { views_.clear(); }
+  void clear() { views_.clear(); }
 
  private:
   static constexpr std::size_t max_views = 4;
@@ -66,6 +66,6 @@ class ViewCache {
 Image finish_view(const FurFrame& frame, const FinishInput& input, const Area& changed, CachedView& view);
 /// Returns ShownFrame::format for a frame: the bits of its finished picture, or 0 if an overlay keeps that from being
 /// stored.
-int kept_format(const FurFrame& frame);
+int cached_format(const FurFrame& frame);
 
 }  // namespace pelage

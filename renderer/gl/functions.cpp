@@ -41,23 +41,23 @@ std::size_t texture_bytes(GLsizei levels, GLenum format, GLsizei width, GLsizei 
 }  // namespace
 
 void Gl::note_storage(Name name, std::size_t bytes) const {
-  std::size_t& held = held_[name];
-  held_bytes_ += bytes - held;
-  held = bytes;
+  std::size_t& stored = storage_[name];
+  storage_bytes_ += bytes - stored;
+  stored = bytes;
 }
 
 void Gl::forget_storage(Kind kind, GLsizei count, const GLuint* names) const {
   for (GLsizei i = 0; i < count; ++i) {
-    const auto found = held_.find({kind, names[i]});
-    if (found == held_.end()) continue;
-    held_bytes_ -= found->second;
-    held_.erase(found);
+    const auto found = storage_.find({kind, names[i]});
+    if (found == storage_.end()) continue;
+    storage_bytes_ -= found->second;
+    storage_.erase(found);
   }
 }
 
 std::size_t Gl::bytes_of(Name name) const {
-  const auto found = held_.find(name);
-  return found == held_.end() ? 0 : found->second;
+  const auto found = storage_.find(name);
+  return found == storage_.end() ? 0 : found->second;
 }
 
 void Gl::DeleteBuffers(GLsizei count, const GLuint* buffers) const {

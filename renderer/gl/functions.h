@@ -121,7 +121,7 @@ struct Gl {
   GlCounts take_counts() const { return std::exchange(counts_, {}); }
 
   /// Return the bytes of storage of all buffers, textures and renderbuffers, and of one of them (0 without storage).
-  std::size_t held_bytes() const { return held_bytes_; }
+  std::size_t storage_bytes() const { return storage_bytes_; }
   std::size_t bytes_of_buffer(GLuint buffer) const { return bytes_of({Kind::buffer, buffer}); }
   std::size_t bytes_of_texture(GLuint texture) const { return bytes_of({Kind::texture, texture}); }
 
@@ -159,8 +159,8 @@ struct Gl {
   Counted counted_;
   // Mutable: counting does not change how the functions behave.
   mutable GlCounts counts_;
-  mutable std::map<Name, std::size_t> held_;  // bytes of storage of each object
-  mutable std::size_t held_bytes_ = 0;
+  mutable std::map<Name, std::size_t> storage_;  // bytes of storage of each object
+  mutable std::size_t storage_bytes_ = 0;
 };
 
 }  // namespace pelage

@@ -10,8 +10,8 @@ namespace {
 GLuint compile(const Gl& gl, GLenum stage, std::string_view source, const std::string& defines, std::string& log) {
   const GLuint shader = gl.CreateShader(stage);
   const std::size_t line = source.find('\n') + 1;  // after the #version line, which comes first
-  const std::string whole = std::string(source.substr(0, line)) + defines + std::string(source.substr(line));
-  const char* lines = whole.c_str();
+  const std::string full_source = std::string(source.substr(0, line)) + defines + std::string(source.substr(line));
+  const char* lines = full_source.c_str();
   gl.ShaderSource(shader, 1, &lines, nullptr);
   gl.CompileShader(shader);
   GLint compiled = 0;

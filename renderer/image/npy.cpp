@@ -97,9 +97,9 @@ Result<Pixels> pixels_of(const std::vector<std::size_t>& shape, std::size_t max_
   return Pixels{{static_cast<int>(width), static_cast<int>(height), 32, {}, {}}, channels};
 }
 
-/// Reads numbers of one type as floats, divided by `whole`.
+/// Reads numbers of one type as floats, divided by `max_value`.
 template <class Number>
-Result<DataImage> read_numbers(Pixels pixels, std::string_view numbers, int bits, float whole) {
+Result<DataImage> read_numbers(Pixels pixels, std::string_view numbers, int bits, float max_value) {
   const std::size_t count =
       static_cast<std::size_t>(pixels.image.width) * static_cast<std::size_t>(pixels.image.height);
   if (numbers.size() < count * pixels.channels * sizeof(Number)) return unreadable("it is cut off.");
@@ -112,7 +112,7 @@ Result<DataImage> read_numbers(Pixels pixels, std::string_view numbers, int bits
     for (std::size_t k = 0; k < pixels.channels; ++k) {
       Number number;
       std::memcpy(&number, numbers.data() + (i * pixels.channels + k) * sizeof(Number), sizeof(Number));
-      rgba[k] = static_cast<float>(number) / whole;
+      rgba[k] = static_cast<float>(number) / max_value;
     }
     if (pixels.channels == 1) rgba[1] = rgba[2] = rgba[0];
   }

@@ -29,7 +29,7 @@ bool is_opaque(const std::vector<Sample>& rgba) {
 }
 
 template <class Picture>
-bool is_whole(const Picture& image) {
+bool is_complete(const Picture& image) {
   return image.width > 0 && image.height > 0 &&
          image.rgba.size() ==
              std::size_t{4} * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
@@ -131,7 +131,7 @@ std::string end_of(std::span<const std::shared_ptr<const PngBand>> bands) {
 
 template <class Picture>
 PngLayout layout_of(const Picture& image, bool keep_alpha) {
-  assert(is_whole(image));
+  assert(is_complete(image));
   using Sample = typename decltype(image.rgba)::value_type;
   const int channels = keep_alpha || !is_opaque(image.rgba) ? 4 : 3;
   return {image.width, image.height, channels, 8 * static_cast<int>(sizeof(Sample))};
@@ -184,13 +184,13 @@ std::size_t pixels_of(const PngLayout& layout) {
 }  // namespace
 
 std::string PngEncoder::encode(Image image, bool keep_alpha, std::span<const ImageText> texts) {
-  const auto picture = std::make_shared<Kept>();
+  const auto picture = std::make_shared<CachedPicture>();
   picture->layout = png_layout(image, keep_alpha);
   picture->image = std::move(image);
   const Pictures before = pictures_of(picture->layout);
   const std::uint32_t count = png_band_count(picture->layout);
   picture->bands.resize(count);
-  std::vector<const Kept*> taken(count);
+  std::vector<const CachedPicture*> taken(count);
   const auto take_or_compress = [&](std::uint32_t band) {
     const auto rows = png_band_of(picture->image, band);
     taken[band] = same_band(before, rows, band);
@@ -198,36 +198,37 @@ std::string PngEncoder::encode(Image image, bool keep_alpha, std::span<const Ima
         taken[band] ? taken[band]->bands[band] : std::make_shared<const PngBand>(png_band(picture->layout, rows));
   };
   for_each_in_parallel(count, take_or_compress, threads_);
-  std::map<const Kept*, std::size_t> bands_of;
-  for (const Kept* source : taken)
+  std::map<const CachedPicture*, std::size_t> bands_of;
+  for (const CachedPicture* source : taken)
     if (source) ++bands_of[source];
   const auto source = std::ranges::max_element(bands_of, {}, [](const auto& entry) { return entry.second; });
-  keep(picture, source == bands_of.end() ? nullptr : source->first);
+  cache(picture, source == bands_of.end() ? nullptr : source->first);
   return png_file(picture->layout, picture->bands, texts, PngNumbers::srgb);
 }
 
-const PngEncoder::Kept* PngEncoder::same_band(const Pictures& before, std::span<const std::uint8_t> rows,
-                                              std::uint32_t band) {
+const PngEncoder::CachedPicture* PngEncoder::same_band(const Pictures& before, std::span<const std::uint8_t> rows,
+                                                       std::uint32_t band) {
   const auto same = std::ranges::find_if(
-      before, [&](const auto& kept) { return std::ranges::equal(png_band_of(kept->image, band), rows); });
+      before, [&](const auto& cached) { return std::ranges::equal(png_band_of(cached->image, band), rows); });
   return same == before.end() ? nullptr : same->get();
 }
 
 PngEncoder::Pictures PngEncoder::pictures_of(const PngLayout& layout) const {
   const std::lock_guard lock(mutex_);
   Pictures same;
-  std::ranges::copy_if(pictures_, std::back_inserter(same), [&](const auto& kept) { return kept->layout == layout; });
+  std::ranges::copy_if(pictures_, std::back_inserter(same),
+                       [&](const auto& cached) { return cached->layout == layout; });
   return same;
 }
 
-void PngEncoder::keep(std::shared_ptr<const Kept> picture, const Kept* source) {
+void PngEncoder::cache(std::shared_ptr<const CachedPicture> picture, const CachedPicture* source) {
   const std::lock_guard lock(mutex_);
-  std::erase_if(pictures_, [&](const auto& kept) { return kept.get() == source; });
+  std::erase_if(pictures_, [&](const auto& cached) { return cached.get() == source; });
   pictures_.push_front(std::move(picture));
   std::size_t pixels = 0;
-  const auto first_without_room = std::ranges::find_if(
-      pictures_, [&](const auto& kept) { return (pixels += pixels_of(kept->layout)) > max_pixels_; });
-  pictures_.erase(first_without_room, pictures_.end());
+  const auto first_over_limit = std::ranges::find_if(
+      pictures_, [&](const auto& cached) { return (pixels += pixels_of(cached->layout)) > max_pixels_; });
+  pictures_.erase(first_over_limit, pictures_.end());
 }
 
 }  // namespace pelage

@@ -68,19 +68,19 @@ class PngEncoder {
 
  private:
   /// A picture and its bands. Immutable, so several threads may read it.
-  struct Kept {
+  struct CachedPicture {
     Image image;
     PngLayout layout;
     std::vector<std::shared_ptr<const PngBand>> bands;
   };
-  using Pictures = std::deque<std::shared_ptr<const Kept>>;  // newest first
+  using Pictures = std::deque<std::shared_ptr<const CachedPicture>>;  // newest first
 
   Pictures pictures_of(const PngLayout& layout) const;
   /// Caches `picture` in place of `source`, or of the oldest ones if `source` is null and there is no room.
-  void keep(std::shared_ptr<const Kept> picture, const Kept* source);
+  void cache(std::shared_ptr<const CachedPicture> picture, const CachedPicture* source);
 
   /// Returns the first of some pictures that has the same rows in a band; null for none.
-  static const Kept* same_band(const Pictures& before, std::span<const std::uint8_t> rows, std::uint32_t band);
+  static const CachedPicture* same_band(const Pictures& before, std::span<const std::uint8_t> rows, std::uint32_t band);
 
   const int threads_;
   const std::size_t max_pixels_;

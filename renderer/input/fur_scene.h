@@ -31,7 +31,7 @@ struct ImageView {
   std::span<const std::uint8_t> rgba;  // sRGB, straight alpha, rows from the top
 };
 
-/// The attributes of a corner of a piece of fur that its vertex does not have.
+/// The attributes of a corner of a fur triangle that its vertex does not have.
 struct FurCorner {
   glm::vec2 tile_uv{0};    // position on the sample tile, sizes
   glm::vec3 tile_axis{0};  // the tile's u axis in space, unit
@@ -39,12 +39,12 @@ struct FurCorner {
   glm::vec3 colour{1};     // linear
   int image = -1;          // index of the base-colour image, -1 for none
   glm::vec3 normal{0};     // shading normal, unit; 0 for the vertex's
-  float weight = 1;        // [0, 1], share of the fur's optical depth; over all pieces of a triangle they sum to 1
+  float weight = 1;        // [0, 1], share of the fur's optical depth; over all copies of a triangle they sum to 1
 };
 
 /// Constant for a model with its colours. `id` is the key of its GPU copy. `original` is common to all copies of a
-/// model that differ in colours, and is used to drop all of them; 0 stands for `id`. Triangles are pieces: a triangle
-/// of the surface is listed once for each patch of fur that covers it.
+/// model that differ in colours, and is used to drop all of them; 0 stands for `id`. A triangle of the
+/// surface is listed once for each patch of fur that covers it.
 struct FurModel {
   std::uint64_t id = 0;
   std::span<const glm::vec3> positions, normals, tangents;  // for each vertex
@@ -69,8 +69,8 @@ struct FurSkinRegion {
   glm::dmat3 to_unit{1};       // from a position relative to the centre to the space where the region is the unit ball
   double softness = 0.5;       // distance beyond the region over which fur reaches its full length, radii
   glm::dvec3 facing{0, 0, 1};  // unit
-  double cosine_whole = -2, cosine_none = -3;  // to the normal: full above the first, none below the second
-  glm::vec3 colour{1};                         // linear
+  double cosine_full = -2, cosine_none = -3;  // to the normal: full above the first, none below the second
+  glm::vec3 colour{1};                        // linear
   double shine = 0.5, roughness = 0.5, wetness = 0, scatter = 0;
   SkinBumps bumps;
 
@@ -206,9 +206,9 @@ struct FurFrame {
   /// Returns the wetness of the driest coat, [0, 1], by which the look is changed. For wetter coats the rest is treated
   /// as painted wetness.
   double wetness() const {
-    double least = 1;
-    for (const NamedCoat& one : coats) least = std::min(least, one.coat.wetness);
-    return least;
+    double min_wetness = 1;
+    for (const NamedCoat& one : coats) min_wetness = std::min(min_wetness, one.coat.wetness);
+    return min_wetness;
   }
 
   bool operator==(const FurFrame&) const = default;

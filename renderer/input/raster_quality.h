@@ -17,7 +17,7 @@ struct RasterQuality {
   double widest() const { return std::clamp(1 / strands_a_pixel, 1.5, 2.0); }
 
   /// Returns the share of strands to draw, (0, 1], for `on_a_pixel` strands on a pixel and a strand `width` in pixels.
-  double kept_share(double on_a_pixel, double width) const {
+  double drawn_strand_share(double on_a_pixel, double width) const {
     return std::min(std::max(strands_a_pixel / std::max(on_a_pixel, 1e-12), width / widest()), 1.0);
   }
 };

@@ -21,14 +21,14 @@ SphericalHarmonics project_gradient(const Environment& environment) {
   const glm::dvec3 sky(environment.sky), horizon(environment.horizon), ground(environment.ground);
   const double around = 2 * std::numbers::pi;
   const glm::dvec3 even = sky + ground - 2.0 * horizon;
-  const glm::dvec3 whole = around * (2.0 * horizon + 2.0 / 3 * even);       // integral of the radiance
+  const glm::dvec3 integral = around * (2.0 * horizon + 2.0 / 3 * even);    // integral of the radiance
   const glm::dvec3 upward = around * (2.0 / 5 * (sky - ground));            // integral of radiance times y
   const glm::dvec3 square = around * (2.0 / 3 * horizon + 2.0 / 7 * even);  // integral of radiance times y^2
   SphericalHarmonics result{};
-  result[0] = harmonic_scale::constant * whole;
+  result[0] = harmonic_scale::constant * integral;
   result[1] = harmonic_scale::linear * upward;
-  result[6] = harmonic_scale::polar * (0.5 * whole - 1.5 * square);
-  result[8] = harmonic_scale::difference * (0.5 * whole - 1.5 * square);
+  result[6] = harmonic_scale::polar * (0.5 * integral - 1.5 * square);
+  result[8] = harmonic_scale::difference * (0.5 * integral - 1.5 * square);
   return result;
 }
 

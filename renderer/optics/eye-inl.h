@@ -19,14 +19,14 @@ using std::asin, std::sin;  // for values that are the same in all lanes
 
 /// Reads a level bilinearly at a position in [0, 1]^2; texels are four bytes; `around` wraps, `along` is clamped.
 HWY_INLINE Vec4 level_texel(const TissueLevels& tissues, Int level, Real around, Real along) {
-  const Int width = hn::Shr(whole(iris_map_width), level), height = hn::Shr(whole(iris_map_height), level);
-  const Int first = gather(tissues.first.data(), level), last_row = hn::Sub(height, whole(1));
+  const Int width = hn::Shr(splat(iris_map_width), level), height = hn::Shr(splat(iris_map_height), level);
+  const Int first = gather(tissues.first.data(), level), last_row = hn::Sub(height, splat(1));
   const Real x = around * to_real(width) - 0.5f, y = clamp(along * to_real(height) - 0.5f, 0.0f, to_real(last_row));
   const Real left = floor(x), top = floor(y), px = x - left, py = y - top;
   Vec4 sum(0.0f, 0.0f, 0.0f, 0.0f);
   for (int k = 0; k < 4; ++k) {
-    const Int column = hn::And(hn::Add(to_int(left), whole(k & 1)), hn::Sub(width, whole(1)));
-    const Int row = hn::Min(hn::Add(to_int(top), whole(k >> 1)), last_row);
+    const Int column = hn::And(hn::Add(to_int(left), splat(k & 1)), hn::Sub(width, splat(1)));
+    const Int row = hn::Min(hn::Add(to_int(top), splat(k >> 1)), last_row);
     const Real weight = (k & 1 ? px : 1.0f - px) * (k & 2 ? py : 1.0f - py);
     sum += weight * texel_of(gather(tissues.words.data(), hn::Add(first, hn::Add(hn::Mul(row, width), column))));
   }

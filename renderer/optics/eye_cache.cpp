@@ -50,16 +50,16 @@ PixelBox box_of(const EyeEntry& eye, const glm::mat4& world_to_clip, glm::ivec2 
   glm::vec2 low(1e9f), high(-1e9f);
   for (int k = 0; k < 8; ++k) {
     const glm::vec3 corner(k & 1 ? side : -side, k & 2 ? side : -side, k & 4 ? top : -side);
-    const glm::vec3 place =
+    const glm::vec3 position =
         glm::vec3(eye.position) + eye.right.w * (glm::mat3(eye.right, eye.up, eye.forward) * corner);
-    const glm::vec4 clip = world_to_clip * glm::vec4(place, 1);
+    const glm::vec4 clip = world_to_clip * glm::vec4(position, 1);
     if (!(clip.w > near_distance)) return {0, 0, size.x, size.y};
     const glm::vec2 at = (glm::vec2(clip.x, -clip.y) / clip.w * 0.5f + 0.5f) * glm::vec2(size);
     low = glm::min(low, at), high = glm::max(high, at);
   }
-  const auto held = [](float at, int max) { return clamped_index(at, 0, max); };
-  return {held(std::floor(low.x) - 1, size.x), held(std::floor(low.y) - 1, size.y), held(std::ceil(high.x) + 1, size.x),
-          held(std::ceil(high.y) + 1, size.y)};
+  const auto clamped = [](float at, int max) { return clamped_index(at, 0, max); };
+  return {clamped(std::floor(low.x) - 1, size.x), clamped(std::floor(low.y) - 1, size.y),
+          clamped(std::ceil(high.x) + 1, size.x), clamped(std::ceil(high.y) + 1, size.y)};
 }
 
 }  // namespace

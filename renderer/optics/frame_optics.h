@@ -17,7 +17,7 @@ struct FrameOptics {
   const AzimuthalFit* azimuthal = nullptr;  // never null; empty for models that need none
   int model = 0;                            // ShadingModel
   int lights = 0;
-  bool far_lights = true;              // no light has a position
+  bool directional_lights = true;      // no light has a position
   bool model_colours = false;          // fur takes the model's colours
   const BaseImages* images = nullptr;  // the model's images if fur or skin takes them; null for none
   float wetness = 0;                   // of the coat, [0, 1]

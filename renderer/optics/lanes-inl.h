@@ -82,7 +82,7 @@ HWY_INLINE Real smoothstep(Real low, Real high, Real x) {
 using Int = hn::Vec<IntTag>;
 HWY_INLINE Int to_int(Real a) { return hn::ConvertTo(int_tag, a.v); }  // rounds towards 0
 HWY_INLINE Real to_real(Int a) { return hn::ConvertTo(float_tag, a); }
-HWY_INLINE Int whole(std::int32_t a) { return hn::Set(int_tag, a); }
+HWY_INLINE Int splat(std::int32_t a) { return hn::Set(int_tag, a); }
 HWY_INLINE Real gather(const float* from, Int index) { return hn::GatherIndex(float_tag, from, index); }
 HWY_INLINE Int gather(const std::int32_t* from, Int index) { return hn::GatherIndex(int_tag, from, index); }
 /// Four adjacent words for each lane, read by loads and shuffles, which are faster than four gathers.
@@ -128,21 +128,21 @@ HWY_INLINE Quad gather_quad(const float* from, Int index) {
 /// Returns a byte of each lane, over 255.
 template <int at>
 HWY_INLINE Real byte_of(Int word) {
-  return to_real(hn::And(hn::ShiftRight<8 * at>(word), whole(255))) * (1.0f / 255);
+  return to_real(hn::And(hn::ShiftRight<8 * at>(word), splat(255))) * (1.0f / 255);
 }
 
 /// Returns 2^x; 0 for x below -126, 2^126 for x above 126. Relative error 2e-7: least-squares polynomial for the
 /// fraction.
 HWY_INLINE Real exp2(Real x) {
-  const Real held = clamp(x, -127.0f, 126.0f);
-  const Real below = floor(held), part = held - below;
+  const Real clamped = clamp(x, -127.0f, 126.0f);
+  const Real below = floor(clamped), part = clamped - below;
   Real p = 1.8762329e-3f;
   p = mul_add(p, part, 8.9925844e-3f);
   p = mul_add(p, part, 5.5823606e-2f);
   p = mul_add(p, part, 2.4015453e-1f);
   p = mul_add(p, part, 6.9315296e-1f);
   p = mul_add(p, part, 9.9999994e-1f);
-  const Int power = hn::ShiftLeft<23>(hn::Add(to_int(below), whole(127)));
+  const Int power = hn::ShiftLeft<23>(hn::Add(to_int(below), splat(127)));
   return p * Real(hn::BitCast(float_tag, power));
 }
 HWY_INLINE Real exp(Real x) { return exp2(x * 1.44269504f); }
@@ -151,9 +151,9 @@ HWY_INLINE Real exp(Real x) { return exp2(x * 1.44269504f); }
 /// [.71, 1.41].
 HWY_INLINE Real log2(Real x) {
   const Int bits = hn::BitCast(int_tag, max(x, 1.1754944e-38f).v);
-  const Int shifted = hn::Sub(bits, whole(0x3f3504f3));
+  const Int shifted = hn::Sub(bits, splat(0x3f3504f3));
   const Real power = to_real(hn::ShiftRight<23>(shifted));
-  const Int mantissa = hn::Add(hn::And(shifted, whole(0x007fffff)), whole(0x3f3504f3));
+  const Int mantissa = hn::Add(hn::And(shifted, splat(0x007fffff)), splat(0x3f3504f3));
   const Real m = hn::BitCast(float_tag, mantissa), t = (m - 1.0f) / (m + 1.0f), t2 = t * t;
   Real p = 0.43424776f;
   p = mul_add(p, t2, 0.57658499f);

@@ -24,7 +24,7 @@ HWY_INLINE Vec3 colour_above(const FrameBlock& frame, Real height) {
 /// Returns a random point in [0, 1]^3 for an integer cell: pcg3d (Jarzynski and Olano 2020).
 HWY_INLINE Vec3 point_in_cell(Vec3 cell) {
   Int x = to_int(cell.x), y = to_int(cell.y), z = to_int(cell.z);
-  const auto seeded = [](Int v) HWY_ATTR { return hn::Add(hn::Mul(v, whole(1664525)), whole(1013904223)); };
+  const auto seeded = [](Int v) HWY_ATTR { return hn::Add(hn::Mul(v, splat(1664525)), splat(1013904223)); };
   const auto mixed = [](Int v, Int a, Int b) HWY_ATTR { return hn::Add(v, hn::Mul(a, b)); };
   const auto folded = [](Int v) HWY_ATTR {
     const hn::RebindToUnsigned<IntTag> bits;
@@ -50,11 +50,11 @@ HWY_INLINE Vec3 point_in_cell(Vec3 cell) {
 struct FrameLight {
   const FrameBlock& frame;
   const SkinBlock& bare_skin;
-  bool far_lights;
+  bool directional_lights;
   static constexpr bool white_surroundings = false;
 
   explicit FrameLight(const FrameOptics& optics)
-      : frame(optics.frame), bare_skin(optics.skin), far_lights(optics.far_lights) {}
+      : frame(optics.frame), bare_skin(optics.skin), directional_lights(optics.directional_lights) {}
 
 #define FUNCTION HWY_INLINE
 #include "renderer/shaders/shared/bare_skin.glsl"

@@ -26,17 +26,17 @@ glm::vec3 ScatterStrand(const StrandOptics& optics, const LitStrand& strand) {
   const Fibre fibre = lanes_of(optics, strand);
   const Vec3 to_light(strand.to_light);
   FibreScattering by{optics.scattering, optics.azimuthal};
-  FibreEye eye;
-  if (scatters_fibres(optics.model)) eye = by.fibre_eye(fibre);
-  return first_lane(by.scatter(optics.model, fibre, eye, to_light) *
-                    light_behind(optics.model, dot(fibre.normal, to_light), optics.reach));
+  FibreViewTerms view_terms;
+  if (scatters_fibres(optics.model)) view_terms = by.fibre_view_terms(fibre);
+  return first_lane(by.scatter(optics.model, fibre, view_terms, to_light) *
+                    backlight_fade(optics.model, dot(fibre.normal, to_light), optics.reach));
 }
 
 glm::vec3 ScatterOnce(const StrandOptics& optics, const LitStrand& strand) {
   const Fibre fibre = lanes_of(optics, strand);
   FibreScattering by{optics.scattering, optics.azimuthal};
   return first_lane(
-      by.scatter_fibre(fibre, by.fibre_eye(fibre), Vec3(strand.to_light), optics.model == model_marschner));
+      by.scatter_fibre(fibre, by.fibre_view_terms(fibre), Vec3(strand.to_light), optics.model == model_marschner));
 }
 
 glm::vec3 ScatterBundle(const StrandOptics& optics, const LitStrand& strand, glm::vec3 once) {

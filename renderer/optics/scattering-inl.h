@@ -41,7 +41,7 @@ HWY_INLINE Node node_at(Real at, int nodes) {
 
 HWY_INLINE Real lower_bfloat(Int word) { return hn::BitCast(float_tag, hn::ShiftLeft<16>(word)); }
 HWY_INLINE Real upper_bfloat(Int word) {
-  return hn::BitCast(float_tag, hn::And(word, whole(static_cast<std::int32_t>(0xffff0000))));
+  return hn::BitCast(float_tag, hn::And(word, splat(static_cast<std::int32_t>(0xffff0000))));
 }
 
 /// Average of Ap Np over the fibre's width, weighted by `along`, as a polynomial in the absorption.
@@ -52,11 +52,11 @@ struct AbsorptionCurve {
 
 /// Adds a node's polynomials with a weight.
 HWY_INLINE void add_node(const Int* word, Real weight, const Vec4& along, AbsorptionCurve& curve) {
-  const Real tt = weight * along.y, trt = weight * along.z, rest = weight * along.w;
+  const Real tt = weight * along.y, trt = weight * along.z, residual = weight * along.w;
   curve.c0 = mul_add(weight * along.x, lower_bfloat(word[0]), curve.c0);
-  curve.c1 += tt * upper_bfloat(word[0]) + trt * lower_bfloat(word[2]) + rest * upper_bfloat(word[3]);
-  curve.c2 += tt * lower_bfloat(word[1]) + trt * upper_bfloat(word[2]) + rest * lower_bfloat(word[4]);
-  curve.c3 += tt * upper_bfloat(word[1]) + trt * lower_bfloat(word[3]) + rest * upper_bfloat(word[4]);
+  curve.c1 += tt * upper_bfloat(word[0]) + trt * lower_bfloat(word[2]) + residual * upper_bfloat(word[3]);
+  curve.c2 += tt * lower_bfloat(word[1]) + trt * upper_bfloat(word[2]) + residual * lower_bfloat(word[4]);
+  curve.c3 += tt * upper_bfloat(word[1]) + trt * lower_bfloat(word[3]) + residual * upper_bfloat(word[4]);
 }
 
 HWY_INLINE AbsorptionCurve azimuthal_curve(const AzimuthalFit& fit, const Vec4& along, Node azimuth, Node inclination) {
@@ -64,8 +64,8 @@ HWY_INLINE AbsorptionCurve azimuthal_curve(const AzimuthalFit& fit, const Vec4& 
   const Real none = 0.0f;
   AbsorptionCurve curve{none, none, none, none};
   for (int row = 0; row < 2; ++row) {
-    const Int j = hn::Add(inclination.first, whole(row));
-    const Int node = hn::Mul(hn::Add(hn::Mul(j, whole(fit.azimuths)), azimuth.first), whole(AzimuthalFit::words));
+    const Int j = hn::Add(inclination.first, splat(row));
+    const Int node = hn::Mul(hn::Add(hn::Mul(j, splat(fit.azimuths)), azimuth.first), splat(AzimuthalFit::words));
     Int word[12];  // the words of two adjacent nodes, and two more
     for (int quad = 0; quad < 3; ++quad) {
       const Quad found = gather_quad(fit.nodes.data() + 4 * quad, node);

@@ -205,7 +205,7 @@ constexpr glm::vec3 edge_colour(0.08f, 0.18f, 0.32f);
 struct Shape {
   const FurFrame& frame;
   const FurModel& model;
-  const FloatImage &normals, &pieces;
+  const FloatImage &normals, &triangle_ids;
 
   static std::size_t index(const FloatImage& image, int x, int y) {
     return 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
@@ -219,15 +219,15 @@ struct Shape {
     const FurCamera& camera = frame.camera;
     const float over = 2 * camera.tan_half_fov / static_cast<float>(frame.height);
     const glm::vec2 off = (glm::vec2(x, y) + 0.5f - 0.5f * glm::vec2(frame.width, frame.height)) * over;
-    const glm::vec3 way = camera.forward + off.x * camera.right - off.y * camera.up;
-    const float facing = std::abs(glm::dot(glm::vec3(normal[0], normal[1], normal[2]), glm::normalize(way)));
+    const glm::vec3 view_direction = camera.forward + off.x * camera.right - off.y * camera.up;
+    const float facing = std::abs(glm::dot(glm::vec3(normal[0], normal[1], normal[2]), glm::normalize(view_direction)));
     return glm::mix(darkest, lightest, std::min(facing, 1.0f));
   }
 
-  /// Returns the vertices of the piece at a pixel in ascending order: pieces of the skin overlap, and several have the
-  /// same vertices.
+  /// Returns the vertices of the triangle at a pixel in ascending order: triangles of the skin overlap, and several
+  /// have the same vertices.
   std::array<std::uint32_t, 3> corners_at(int x, int y) const {
-    const glm::uvec3 t = model.triangles[static_cast<std::size_t>(pieces.rgba[index(pieces, x, y)])];
+    const glm::uvec3 t = model.triangles[static_cast<std::size_t>(triangle_ids.rgba[index(triangle_ids, x, y)])];
     std::array<std::uint32_t, 3> corners{t.x, t.y, t.z};
     std::sort(corners.begin(), corners.end());
     return corners;
@@ -247,9 +247,9 @@ struct Shape {
 }  // namespace
 
 FloatImage shape_picture(const FurFrame& frame, const FurModel& model, const FloatImage& normals,
-                         const FloatImage& pieces, int threads) {
-  assert(normals.width == frame.width && pieces.width == frame.width);
-  const Shape shape{frame, model, normals, pieces};
+                         const FloatImage& triangle_ids, int threads) {
+  assert(normals.width == frame.width && triangle_ids.width == frame.width);
+  const Shape shape{frame, model, normals, triangle_ids};
   return plain_overlay(frame.width, frame.height, threads, [&](int x, int y) {
     const glm::vec3 grey(shape.grey_at(x, y));
     const bool edge = frame.overlay == Overlay::wire && shape.is_edge(x, y);

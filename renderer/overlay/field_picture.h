@@ -46,8 +46,8 @@ FloatImage field_picture(const FurFrame& frame, const std::vector<glm::vec3>& se
 
 /// Returns Overlay::bald or wire at the frame's size; opaque. It shows the skin in plain grey, lit from the camera, and
 /// for wire the edges of its triangles. For each pixel, row by row, `normals` has the normal of the visible skin and 1,
-/// or 0 where there is none; the first number of `pieces` is the index of the model's piece there.
+/// or 0 where there is none; the first number of `triangle_ids` is the index of the model's triangle there.
 FloatImage shape_picture(const FurFrame& frame, const FurModel& model, const FloatImage& normals,
-                         const FloatImage& pieces, int threads);
+                         const FloatImage& triangle_ids, int threads);
 
 }  // namespace pelage

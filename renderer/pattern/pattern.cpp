@@ -11,8 +11,8 @@
 
 namespace pelage {
 
-float gradient_noise(glm::vec3 place, std::uint32_t stream, std::uint32_t seed) {
-  const glm::vec3 low = glm::floor(place), f = place - low;
+float gradient_noise(glm::vec3 position, std::uint32_t stream, std::uint32_t seed) {
+  const glm::vec3 low = glm::floor(position), f = position - low;
   const glm::vec3 w = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
   const CellNumbers<8> random = numbers_of(corner_cells(glm::ivec3(low)), stream, seed);
   std::array<float, 8> slope;
@@ -25,13 +25,13 @@ float gradient_noise(glm::vec3 place, std::uint32_t stream, std::uint32_t seed) 
   return glm::mix(glm::mix(across(0), across(2), w.y), glm::mix(across(4), across(6), w.y), w.z);
 }
 
-float cell_distance(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
-  const glm::ivec3 cell(glm::floor(place - 0.5f));
+float cell_distance(glm::vec3 position, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
+  const glm::ivec3 cell(glm::floor(position - 0.5f));
   const CellNumbers<8> random = numbers_of(corner_cells(cell), stream, seed);
   float nearest = 0.62f;
   for (std::size_t i = 0; i < 8; ++i) {
     const glm::vec3 at = glm::vec3(cell + glm::ivec3(i & 1, i >> 1 & 1, i >> 2));
-    const glm::vec3 apart = at + 0.2f + 0.6f * glm::vec3(random.x[i], random.y[i], random.z[i]) - place;
+    const glm::vec3 apart = at + 0.2f + 0.6f * glm::vec3(random.x[i], random.y[i], random.z[i]) - position;
     const float off = glm::dot(apart, normal);
     const float size =
         (0.8f + 0.3f * glm::fract(random.x[i] * 16.0f)) * (1 - glm::smoothstep(0.3f, 0.5f, glm::abs(off)));
@@ -94,16 +94,18 @@ class Evaluator {
  public:
   explicit Evaluator(const PatternBlock& block) : block_(block) {}
 
-  glm::vec2 marks(glm::vec3 place, glm::vec3 normal) const;
-  glm::vec3 weights(glm::vec3 place, glm::vec3 normal) const;
+  glm::vec2 marks(glm::vec3 position, glm::vec3 normal) const;
+  glm::vec3 weights(glm::vec3 position, glm::vec3 normal) const;
 
-  float swell(glm::vec3 place, std::uint32_t stream) const {
-    return glm::clamp(1.8f * noise(block_.derived.x * place, stream), -1.0f, 1.0f);
+  float swell(glm::vec3 position, std::uint32_t stream) const {
+    return glm::clamp(1.8f * noise(block_.derived.x * position, stream), -1.0f, 1.0f);
   }
 
  private:
   PatternKind kind() const { return static_cast<PatternKind>(block_.head.x); }
-  float noise(glm::vec3 place, std::uint32_t stream) const { return gradient_noise(place, stream, block_.head.y); }
+  float noise(glm::vec3 position, std::uint32_t stream) const {
+    return gradient_noise(position, stream, block_.head.y);
+  }
   float per_size() const { return block_.shape.x; }
   float coverage() const { return block_.shape.y; }
   float softness() const { return block_.shape.z; }
@@ -115,82 +117,82 @@ class Evaluator {
     return 1 - glm::smoothstep(threshold - half_width, threshold + half_width, x);
   }
 
-  float on_legs(glm::vec3 place) const { return block_.amounts.z * (1 - glm::smoothstep(-0.2f, -0.1f, place.y)); }
-  float stripe_count(glm::vec3 place) const;
-  float stripe(glm::vec3 place, float ragged) const;
-  float spot(glm::vec3 place, glm::vec3 normal) const;
-  float patch(glm::vec3 place, std::uint32_t stream) const;
-  glm::vec2 stripes(glm::vec3 place) const;
-  glm::vec2 tabby(glm::vec3 place, glm::vec3 normal) const;
-  glm::vec2 rosettes(glm::vec3 place, glm::vec3 normal) const;
-  float under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const;
-  glm::vec3 countershading(glm::vec3 place, glm::vec3 normal) const;
+  float on_legs(glm::vec3 position) const { return block_.amounts.z * (1 - glm::smoothstep(-0.2f, -0.1f, position.y)); }
+  float stripe_count(glm::vec3 position) const;
+  float stripe(glm::vec3 position, float ragged) const;
+  float spot(glm::vec3 position, glm::vec3 normal) const;
+  float patch(glm::vec3 position, std::uint32_t stream) const;
+  glm::vec2 stripes(glm::vec3 position) const;
+  glm::vec2 tabby(glm::vec3 position, glm::vec3 normal) const;
+  glm::vec2 rosettes(glm::vec3 position, glm::vec3 normal) const;
+  float under(glm::vec3 position, glm::vec3 normal, float reach, float half_width) const;
+  glm::vec3 countershading(glm::vec3 position, glm::vec3 normal) const;
 
   const PatternBlock& block_;
 };
 
 /// Returns the number of stripes up to a position along the axis. On legs and haunches they bend to lie around the leg,
 /// on haunches swept to the rump.
-float Evaluator::stripe_count(glm::vec3 place) const {
-  const float along = glm::dot(place, glm::vec3(block_.axis));
+float Evaluator::stripe_count(glm::vec3 position) const {
+  const float along = glm::dot(position, glm::vec3(block_.axis));
   const float haunch = 1 - glm::smoothstep(-0.25f, 0.0f, along);
-  const float drop = glm::max(glm::mix(-0.08f, 0.06f, haunch) - place.y, 0.0f);
+  const float drop = glm::max(glm::mix(-0.08f, 0.06f, haunch) - position.y, 0.0f);
   const float turned = along + 2.4f * block_.amounts.z * glm::mix(1.0f, -1.0f, haunch) * drop * drop / (drop + 0.08f);
-  return turned * per_size() + 2 * warp() * noise(0.4f * per_size() * place, 0);
+  return turned * per_size() + 2 * warp() * noise(0.4f * per_size() * position, 0);
 }
 
 /// Returns 0 in the middle of a stripe and 1 between stripes. Noise stretched along the stripes joins, splits and ends
 /// them.
-float Evaluator::stripe(glm::vec3 place, float ragged) const {
-  const float count = stripe_count(place);
+float Evaluator::stripe(glm::vec3 position, float ragged) const {
+  const float count = stripe_count(position);
   const glm::vec3 axis(block_.axis);
-  const glm::vec3 drawn_out = 0.3f * per_size() * (place - axis * glm::dot(place, axis)) + axis * (0.8f * count);
+  const glm::vec3 drawn_out = 0.3f * per_size() * (position - axis * glm::dot(position, axis)) + axis * (0.8f * count);
   const float between = glm::abs(glm::fract(count) - 0.5f) * 2;
   return between + 4 * coverage() * (1 - coverage()) * ragged * warp() * noise(drawn_out, 1);
 }
 
-glm::vec2 Evaluator::stripes(glm::vec3 place) const {
-  const float at = stripe(place, 1.8f);
+glm::vec2 Evaluator::stripes(glm::vec3 position) const {
+  const float at = stripe(position, 1.8f);
   return {below(at, coverage(), soft()), glm::smoothstep(0.78f, 0.9f, at)};
 }
 
-glm::vec2 Evaluator::tabby(glm::vec3 place, glm::vec3 normal) const {
-  const float breaks = 2.4f * coverage() * (1 - coverage()) * warp() * noise(0.8f * per_size() * place, 2);
-  const float broken = stripe(place, 2.6f) + breaks;
-  const float line = below(glm::abs(place.x) * per_size(), 0.5f * coverage(), soft());
+glm::vec2 Evaluator::tabby(glm::vec3 position, glm::vec3 normal) const {
+  const float breaks = 2.4f * coverage() * (1 - coverage()) * warp() * noise(0.8f * per_size() * position, 2);
+  const float broken = stripe(position, 2.6f) + breaks;
+  const float line = below(glm::abs(position.x) * per_size(), 0.5f * coverage(), soft());
   const float spine = line * glm::smoothstep(0.2f, 0.5f, normal.y);
   return {glm::max(below(broken, coverage(), soft()), spine), glm::smoothstep(0.7f, 0.9f, broken)};
 }
 
 /// Returns the distance from the middle of a spot: 1 at its edge, which noise makes uneven.
-float Evaluator::spot(glm::vec3 place, glm::vec3 normal) const {
-  const glm::vec3 at = place * per_size();
+float Evaluator::spot(glm::vec3 position, glm::vec3 normal) const {
+  const glm::vec3 at = position * per_size();
   const float uneven = 1 + 0.9f * warp() * noise(2.0f * at, 4);
   return cell_distance(at, normal, 3, block_.head.y) * uneven / glm::max(block_.derived.y, 1e-4f);
 }
 
 /// Returns rosettes: rings that are broken in places; on the legs they are filled, and smaller.
-glm::vec2 Evaluator::rosettes(glm::vec3 place, glm::vec3 normal) const {
-  const float legs = on_legs(place), half_width = 0.5f * softness() + 1e-3f;
-  const float at = spot(place, normal) * (1 + 0.5f * legs);
+glm::vec2 Evaluator::rosettes(glm::vec3 position, glm::vec3 normal) const {
+  const float legs = on_legs(position), half_width = 0.5f * softness() + 1e-3f;
+  const float at = spot(position, normal) * (1 + 0.5f * legs);
   const float disc = below(at, 1, half_width), hollow = below(at, 0.62f, half_width);
-  const float gap = below(noise(1.9f * per_size() * place, 5), -0.07f, 0.05f);
+  const float gap = below(noise(1.9f * per_size() * position, 5), -0.07f, 0.05f);
   return {glm::mix(disc * (1 - hollow) * (1 - gap), disc, legs), disc};
 }
 
-float Evaluator::patch(glm::vec3 place, std::uint32_t stream) const {
-  const glm::vec3 at = 0.6f * per_size() * place;
+float Evaluator::patch(glm::vec3 position, std::uint32_t stream) const {
+  const glm::vec3 at = 0.6f * per_size() * position;
   const float ragged = 0.5f * warp() * noise(2.7f * at, stream + 1);
   return below(noise(at, stream) + ragged, block_.derived.z, 0.2f * softness() + 1e-3f);
 }
 
-glm::vec2 Evaluator::marks(glm::vec3 place, glm::vec3 normal) const {
+glm::vec2 Evaluator::marks(glm::vec3 position, glm::vec3 normal) const {
   switch (kind()) {
-    case PatternKind::stripes: return stripes(place);
-    case PatternKind::spots: return {below(spot(place, normal), 1, 0.5f * softness() + 1e-3f), 0};
-    case PatternKind::rosettes: return rosettes(place, normal);
-    case PatternKind::tabby: return tabby(place, normal);
-    case PatternKind::patches: return {patch(place, 6), patch(place, 8)};
+    case PatternKind::stripes: return stripes(position);
+    case PatternKind::spots: return {below(spot(position, normal), 1, 0.5f * softness() + 1e-3f), 0};
+    case PatternKind::rosettes: return rosettes(position, normal);
+    case PatternKind::tabby: return tabby(position, normal);
+    case PatternKind::patches: return {patch(position, 6), patch(position, 8)};
     case PatternKind::none:
     case PatternKind::countershading: break;
   }
@@ -198,30 +200,30 @@ glm::vec2 Evaluator::marks(glm::vec3 place, glm::vec3 normal) const {
 }
 
 /// Returns 1 on downward and low skin, 0 on the back; `reach` in [0, 1] is how far up it extends.
-float Evaluator::under(glm::vec3 place, glm::vec3 normal, float reach, float half_width) const {
-  const float down = -0.9f * normal.y - 0.5f * place.y + 0.25f * noise(9.0f * place, 10);
+float Evaluator::under(glm::vec3 position, glm::vec3 normal, float reach, float half_width) const {
+  const float down = -0.9f * normal.y - 0.5f * position.y + 0.25f * noise(9.0f * position, 10);
   const float threshold = glm::mix(1.4f, -1.4f, reach);
   return glm::smoothstep(threshold - half_width, threshold + half_width, down);
 }
 
-glm::vec3 Evaluator::countershading(glm::vec3 place, glm::vec3 normal) const {
+glm::vec3 Evaluator::countershading(glm::vec3 position, glm::vec3 normal) const {
   const float half_width = 0.1f + softness(), reach = coverage();
-  const float back = 1 - under(place, normal, glm::min(reach + 0.3f, 1.0f), half_width);
-  return {0, block_.amounts.y * back, block_.amounts.x * under(place, normal, reach, half_width)};
+  const float back = 1 - under(position, normal, glm::min(reach + 0.3f, 1.0f), half_width);
+  return {0, block_.amounts.y * back, block_.amounts.x * under(position, normal, reach, half_width)};
 }
 
-glm::vec3 Evaluator::weights(glm::vec3 place, glm::vec3 normal) const {
+glm::vec3 Evaluator::weights(glm::vec3 position, glm::vec3 normal) const {
   if (kind() == PatternKind::none) return glm::vec3(0);
-  if (kind() == PatternKind::countershading) return countershading(place, normal);
-  const float lower = block_.amounts.w > 0 ? block_.amounts.w * under(place, normal, 0.36f, 0.25f) : 0;
-  const glm::vec2 here = (1 - lower) * marks(place, normal);
+  if (kind() == PatternKind::countershading) return countershading(position, normal);
+  const float lower = block_.amounts.w > 0 ? block_.amounts.w * under(position, normal, 0.36f, 0.25f) : 0;
+  const glm::vec2 here = (1 - lower) * marks(position, normal);
   return {lower, block_.amounts.y * here.y, block_.amounts.x * here.x};
 }
 
 }  // namespace
 
-glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 place, glm::vec3 normal) {
-  return Evaluator(block).weights(place, normal);
+glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 position, glm::vec3 normal) {
+  return Evaluator(block).weights(position, normal);
 }
 
 glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 base) {
@@ -231,18 +233,19 @@ glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 b
   return glm::mix(colour, glm::vec3(block.colour) * shade, weights.z);
 }
 
-glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 place) {
-  const float hue = block.variation.y > 0 ? block.variation.y * Evaluator(block).swell(place, 12) / 3 : 0;
-  const float lightness = block.variation.x > 0 ? std::exp2(block.variation.x * Evaluator(block).swell(place, 11)) : 1;
-  return {pattern_length(block, place), pattern_lean(block, place), lightness, hue};
+glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 position) {
+  const float hue = block.variation.y > 0 ? block.variation.y * Evaluator(block).swell(position, 12) / 3 : 0;
+  const float lightness =
+      block.variation.x > 0 ? std::exp2(block.variation.x * Evaluator(block).swell(position, 11)) : 1;
+  return {pattern_length(block, position), pattern_lean(block, position), lightness, hue};
 }
 
-float pattern_length(const PatternBlock& block, glm::vec3 place) {
-  return block.variation.z > 0 ? 1 + block.variation.z * Evaluator(block).swell(place, 13) : 1;
+float pattern_length(const PatternBlock& block, glm::vec3 position) {
+  return block.variation.z > 0 ? 1 + block.variation.z * Evaluator(block).swell(position, 13) : 1;
 }
 
-float pattern_lean(const PatternBlock& block, glm::vec3 place) {
-  return block.variation.w > 0 ? block.variation.w * Evaluator(block).swell(place, 14) : 0;
+float pattern_lean(const PatternBlock& block, glm::vec3 position) {
+  return block.variation.w > 0 ? block.variation.w * Evaluator(block).swell(position, 14) : 0;
 }
 
 }  // namespace pelage

@@ -9,12 +9,12 @@
 namespace pelage {
 
 /// Returns gradient noise (Perlin 2002) with one period per unit: mean 0, standard deviation .19, seldom beyond +-.6.
-float gradient_noise(glm::vec3 place, std::uint32_t stream, std::uint32_t seed);
+float gradient_noise(glm::vec3 position, std::uint32_t stream, std::uint32_t seed);
 
 /// Returns the distance along a surface with this unit normal to the nearest of points scattered one to a unit cell,
 /// divided by the point's size, which is in [.8, 1.1] and falls to 0 for points half a unit off the surface. At most
 /// .62.
-float cell_distance(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed);
+float cell_distance(glm::vec3 position, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed);
 
 // The constants of a coat's pattern, ready for evaluation.
 
@@ -41,19 +41,19 @@ bool has_pattern(const Coat& coat);
 
 /// Returns the weights of the belly's colour, the inner colour and the marking's colour, which are mixed in that order,
 /// each in [0, 1].
-glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 place, glm::vec3 normal);
+glm::vec3 pattern_weights(const PatternBlock& block, glm::vec3 position, glm::vec3 normal);
 
 /// Returns `base` with the colours mixed in by these weights. Same as in renderer/shaders/pattern.glsl.
 glm::vec3 with_weights(const PatternBlock& block, glm::vec3 weights, glm::vec3 base);
 
 /// Returns the slow variation at a position: factor on the length, addition to the inclination, factor on the
 /// lightness, shift of the hue.
-glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 place);
+glm::vec4 pattern_variation(const PatternBlock& block, glm::vec3 position);
 
 /// Returns the factor on the length of fur, [0, 2].
-float pattern_length(const PatternBlock& block, glm::vec3 place);
+float pattern_length(const PatternBlock& block, glm::vec3 position);
 
 /// Returns the addition to the inclination, [-1, 1]; the caller clamps the sum to [0, 1].
-float pattern_lean(const PatternBlock& block, glm::vec3 place);
+float pattern_lean(const PatternBlock& block, glm::vec3 position);
 
 }  // namespace pelage

@@ -19,7 +19,7 @@ std::optional<glm::mat3> frame_of(const std::array<glm::vec3, 3>& triangle) {
 
 }  // namespace
 
-glm::mat3 turn_of_triangle(const std::array<glm::vec3, 3>& rest, const std::array<glm::vec3, 3>& now) {
+glm::mat3 rotation_of_triangle(const std::array<glm::vec3, 3>& rest, const std::array<glm::vec3, 3>& now) {
   const std::optional<glm::mat3> from = frame_of(rest), to = frame_of(now);
   return from && to ? *to * glm::transpose(*from) : glm::mat3(1);
 }

@@ -6,14 +6,14 @@
 
 namespace pelage {
 
-/// A position in the rest pose. `turn` maps directions from the rest pose to the current pose.
+/// A position in the rest pose. `rotation` maps directions from the rest pose to the current pose.
 struct RestPosePoint {
   glm::vec3 place{0}, normal{0, 1, 0};  // internal coordinates; the normal is unit
-  glm::mat3 turn{1};                    // a rotation
+  glm::mat3 rotation{1};                // a rotation
 };
 
 /// Returns the rotation from a triangle of the rest pose to the current one: it maps the first side's direction and the
 /// normal. The identity if either triangle has no area.
-glm::mat3 turn_of_triangle(const std::array<glm::vec3, 3>& rest, const std::array<glm::vec3, 3>& now);
+glm::mat3 rotation_of_triangle(const std::array<glm::vec3, 3>& rest, const std::array<glm::vec3, 3>& now);
 
 }  // namespace pelage

@@ -70,24 +70,24 @@ glm::vec3 mixed(const std::array<glm::vec3, 3>& values, glm::vec3 share) {
 
 /// A triangle in the current pose and in the rest pose.
 struct Corners {
-  std::array<glm::vec3, 3> places, rest_places, rest_normals;
+  std::array<glm::vec3, 3> positions, rest_pose_positions, rest_normals;
   bool moved = false;
-  glm::mat3 turn{1};
+  glm::mat3 rotation{1};
 
   Corners(const VolumeSurface& surface, const glm::uvec3& t) : moved(!surface.rest_positions.empty()) {
     const auto of = [&](std::span<const glm::vec3> values) {
       return std::array{values[t.x], values[t.y], values[t.z]};
     };
-    places = of(surface.positions);
-    rest_places = of(moved ? surface.rest_positions : surface.positions);
+    positions = of(surface.positions);
+    rest_pose_positions = of(moved ? surface.rest_positions : surface.positions);
     rest_normals = of(moved ? surface.rest_normals : surface.normals);
-    if (moved) turn = turn_of_triangle(rest_places, places);
+    if (moved) rotation = rotation_of_triangle(rest_pose_positions, positions);
   }
 
   RestPosePoint rest_pose_point(glm::vec3 share) const {
     const glm::vec3 normal = mixed(rest_normals, share);
     const float length = glm::length(normal);
-    return {mixed(rest_places, share), length > 0 ? normal / length : rest_normals[0], turn};
+    return {mixed(rest_pose_positions, share), length > 0 ? normal / length : rest_normals[0], rotation};
   }
 };
 
@@ -105,12 +105,12 @@ SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValu
   Filler filler(value, volume);
   for (const glm::uvec3& t : surface.triangles) {
     const Corners corners(surface, t);
-    for_each_point(corners.places, 0.5f * volume.cell, [&](glm::vec3 share) {
+    for_each_point(corners.positions, 0.5f * volume.cell, [&](glm::vec3 share) {
       const RestPosePoint rest = corners.rest_pose_point(share);
-      const glm::vec3 place = mixed(corners.places, share);
+      const glm::vec3 place = mixed(corners.positions, share);
       filler.fill_about(place, [&](glm::vec3 middle) {
         if (!corners.moved) return RestPosePoint{middle, rest.normal};
-        return RestPosePoint{rest.place + glm::transpose(rest.turn) * (middle - place), rest.normal, rest.turn};
+        return RestPosePoint{rest.place + glm::transpose(rest.rotation) * (middle - place), rest.normal, rest.rotation};
       });
     });
   }

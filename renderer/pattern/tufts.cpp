@@ -27,8 +27,8 @@ constexpr std::array<std::int8_t, looked_at> steps_along(int axis) {
 constexpr std::array steps{steps_along(0), steps_along(1), steps_along(2)};
 
 /// Returns the tuft on one scale, in units of its cells. Distances off the surface count three times.
-TuftPlace nearest_tuft(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
-  const glm::vec3 low = glm::floor(place), inside = place - low;
+TuftPull nearest_tuft(glm::vec3 position, glm::vec3 normal, std::uint32_t stream, std::uint32_t seed) {
+  const glm::vec3 low = glm::floor(position), inside = position - low;
   const glm::uvec3 cell(static_cast<glm::ivec3>(low));
   Cells<looked_at> cells;
   for (std::size_t k = 0; k < looked_at; ++k) {
@@ -56,11 +56,11 @@ TuftPlace nearest_tuft(glm::vec3 place, glm::vec3 normal, std::uint32_t stream, 
 
 }  // namespace
 
-TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal) {
-  TuftPlace sum;
+TuftPull tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal) {
+  TuftPull sum;
   float size = static_cast<float>(tufts.size), weight = 1;
   for (int scale = 0; scale < tufts.scales; ++scale) {
-    const TuftPlace tuft =
+    const TuftPull tuft =
         nearest_tuft(root / size, normal, tuft_stream + static_cast<std::uint32_t>(scale), tufts.seed);
     sum.to_middle += weight * size * tuft.to_middle;
     sum.inside = std::min(sum.inside, glm::mix(1.0f, tuft.inside, weight));

@@ -8,19 +8,19 @@
 
 namespace pelage {
 
-struct TuftPlace {
+struct TuftPull {
   glm::vec3 to_middle{0};  // vector along the surface from a root to where the tips of its tuft gather, sizes
   float inside = 1;        // 0 on the border between tufts, 1 in the middle
 };
 
 /// Returns the tuft of a root. Middles are scattered one to a cell of each scale; those near the surface count. A finer
 /// scale gathers inside the coarser ones, with half the strength. `normal` is unit. Deterministic in all arguments.
-TuftPlace tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal);
+TuftPull tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal);
 
 /// The same for a root on a surface that has moved: `to_middle` is in the current pose.
-inline TuftPlace tuft_at(const Tufts& tufts, const RestPosePoint& root) {
-  TuftPlace tuft = tuft_at(tufts, root.place, root.normal);
-  tuft.to_middle = root.turn * tuft.to_middle;
+inline TuftPull tuft_at(const Tufts& tufts, const RestPosePoint& root) {
+  TuftPull tuft = tuft_at(tufts, root.place, root.normal);
+  tuft.to_middle = root.rotation * tuft.to_middle;
   return tuft;
 }
 

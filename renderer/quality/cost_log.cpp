@@ -26,13 +26,13 @@ CostCorrection CostLog::correction(std::uint64_t scene) const {
 void CostLog::add(std::uint64_t scene, double predicted, double measured) {
   const double ratio = measured / predicted;
   if (!(ratio > 0) || !std::isfinite(ratio)) return;
-  Scene& kept = scenes_[scene];
-  kept.used = ++clock_;
-  kept.ratios.push_back(ratio);
-  if (kept.ratios.size() > window_frames) kept.ratios.pop_front();
-  const double usual = std::clamp(median(kept.ratios), 1 / max, max), off = usual / kept.correction;
-  if (kept.ratios.size() >= min_frames && (off > slack || off < 1 / slack))
-    kept.correction = std::pow(step, std::round(std::log(usual) / std::log(step)));
+  Scene& entry = scenes_[scene];
+  entry.used = ++clock_;
+  entry.ratios.push_back(ratio);
+  if (entry.ratios.size() > window_frames) entry.ratios.pop_front();
+  const double usual = std::clamp(median(entry.ratios), 1 / max, max), off = usual / entry.correction;
+  if (entry.ratios.size() >= min_frames && (off > slack || off < 1 / slack))
+    entry.correction = std::pow(step, std::round(std::log(usual) / std::log(step)));
   if (scenes_.size() <= max_scenes) return;
   scenes_.erase(std::min_element(scenes_.begin(), scenes_.end(),
                                  [](const auto& a, const auto& b) { return a.second.used < b.second.used; }));

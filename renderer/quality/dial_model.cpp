@@ -18,14 +18,14 @@ std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Kno
   constexpr double aslant = 1.3;  // strands on a pixel of visible skin, over those on a pixel of skin seen from above
   const double pixels = view.pixels * knobs.scale * knobs.scale;
   const double on_a_pixel = view.strands / std::max(aslant * view.area * knobs.scale * knobs.scale, 1e-12);
-  const double kept =
-      view.strands * quality_of(knobs, view.winding).kept_share(on_a_pixel, view.width_pixels * knobs.scale);
+  const double drawn =
+      view.strands * quality_of(knobs, view.winding).drawn_strand_share(on_a_pixel, view.width_pixels * knobs.scale);
   return {1,
           pixels / million,
           view.strands / hundred_thousand,
-          kept / hundred_thousand,
-          kept * view.lights / (knobs.raster.light_of * hundred_thousand),
-          kept * view.winding * view.fur_pixels * knobs.scale / million,
+          drawn / hundred_thousand,
+          drawn * view.lights / (knobs.raster.light_of * hundred_thousand),
+          drawn * view.winding * view.fur_pixels * knobs.scale / million,
           view.area * knobs.scale * knobs.scale / hundred_thousand};
 }
 

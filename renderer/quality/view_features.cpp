@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t max_triangles = 16384;   // maximum number of triangles to examine
 constexpr double furthest_back_facing = -0.6;  // smallest cosine to the camera at which fur is visible
 constexpr double nearest = 1e-3;               // minimum distance along the view direction, sizes
-constexpr double places_across = 32;           // cells across the picture; larger triangles are split into parts
+constexpr double cells_across = 32;            // cells across the picture; larger triangles are split into parts
 constexpr double max_parts = 16;               // parts along a triangle's side
 constexpr double max_depth_complexity = 16;    // limit on the mean depth complexity of skin
 constexpr double max_fur = 1e6;                // pixels
@@ -64,8 +64,8 @@ void Looker::look(const glm::uvec3& t) {
 
 /// Adds the parts of a triangle whose middles lie in the picture; the parts are n x n equal triangles.
 void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, double length, double on_skin) {
-  const double place = std::sqrt(double(frame_.width) * frame_.height) / places_across;
-  const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / place), 1.0, max_parts));
+  const double cell_size = std::sqrt(double(frame_.width) * frame_.height) / cells_across;
+  const int n = static_cast<int>(std::clamp(std::ceil(std::sqrt(area) / cell_size), 1.0, max_parts));
   const double part = area / (n * n);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < 2 * (n - i) - 1; ++j) {
@@ -82,7 +82,7 @@ void Looker::spread(const std::array<glm::dvec3, 3>& corners, double area, doubl
 ViewFeatures Looker::features(double times) const {
   ViewFeatures view;
   view.pixels = double(frame_.width) * frame_.height;
-  view.area = std::min(area_ * times * skin_.pieces, max_depth_complexity * view.pixels);
+  view.area = std::min(area_ * times * skin_.patch_triangles, max_depth_complexity * view.pixels);
   view.fur_pixels = area_ > 0 ? std::min(fur_ / area_, max_fur) : 0;
   view.lights = static_cast<double>(frame_.lights.size());
   const Coat& coat = frame_.coat();

@@ -13,13 +13,13 @@ struct FurredSkin {
   std::span<const glm::vec3> positions, normals;
   std::span<const glm::uvec3> triangles;
   std::span<const float> length;  // length of the fur for each vertex, sizes
-  double pieces = 1;              // pieces of fur for each triangle, 1 or more
+  double patch_triangles = 1;     // patch triangles for each triangle of the model, 1 or more
 };
 
 /// Pixels are those of the requested size. All values are finite and at least 0.
 struct ViewFeatures {
   double pixels = 1;      // pixels of the picture
-  double area = 0;        // pixels inside the picture that pieces with visible fur cover, overlaps counted again
+  double area = 0;        // pixels inside the picture that triangles with visible fur cover, overlaps counted again
   double fur_pixels = 0;  // mean length of the visible fur, pixels
   double lights = 0;
   double strands = 0;       // strands of all coats on the skin of `area`

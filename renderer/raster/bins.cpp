@@ -99,7 +99,7 @@ void Bins::find(std::size_t batch, const PlacedStrands& strands, std::span<const
   });
 }
 
-void Bins::make_room() {
+void Bins::allocate_entries() {
   std::uint32_t sum = 0;
   for (std::size_t tile = 0; tile + 1 < first_.size(); ++tile) {
     first_[tile] = sum;
@@ -129,9 +129,10 @@ void sort_by_byte(std::span<const BinEntry> entries, int shift, std::vector<BinE
 
 }  // namespace
 
-void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted, std::vector<BinEntry>& room) {
+void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted,
+                      std::vector<BinEntry>& scratch) {
   static_assert(DistanceKeys::end == 1 << 16);
-  sort_by_byte(entries, 0, room), sort_by_byte(room, 8, sorted);
+  sort_by_byte(entries, 0, scratch), sort_by_byte(scratch, 8, sorted);
 }
 
 }  // namespace pelage

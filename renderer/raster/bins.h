@@ -27,7 +27,7 @@ class Bins {
   /// the background's largest distance in it.
   void find(std::size_t batch, const PlacedStrands& strands, std::span<const float> furthest, const DistanceKeys& keys);
   /// Allocates the entries. Call it after find() of all batches and before put().
-  void make_room();
+  void allocate_entries();
   void put(std::size_t batch);
   /// Returns a tile's entries in the order of batches, strands and knots. Call it after all batches were put.
   std::span<const BinEntry> tile(int number) const {
@@ -54,7 +54,7 @@ class Bins {
   std::vector<BinEntry> entries_;
 };
 
-/// Writes a tile's entries to `sorted` by their keys, nearest first; the sort is stable. `room` is scratch memory.
-void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted, std::vector<BinEntry>& room);
+/// Writes a tile's entries to `sorted` by their keys, nearest first; the sort is stable. `scratch` is scratch memory.
+void sort_by_distance(std::span<const BinEntry> entries, std::vector<BinEntry>& sorted, std::vector<BinEntry>& scratch);
 
 }  // namespace pelage

@@ -31,7 +31,7 @@ HWY_INLINE void load_light(const PlacedKnot& knot, float* light) {
 
 /// A segment over a tile, in pixels from the tile's corner.
 struct FlatSegment {
-  float x, y, way_x, way_y;  // start, and unit direction
+  float x, y, dir_x, dir_y;  // start, and unit direction
   float over_length, length;
   float half, more_half, inverse, more_inverse;  // half width and 1 / distance at the start; their increases to the end
   float sharpness;                               // 1 / width over which its ends fade, 1 / pixels
@@ -43,7 +43,7 @@ HWY_INLINE FlatSegment flat_segment(const TileSegment& segment, float left, floa
   FlatSegment flat;
   const float across = b.x - a.x, down = b.y - a.y;
   flat.length = std::sqrt(std::max(across * across + down * down, 1e-8f)), flat.over_length = 1 / flat.length;
-  flat.x = a.x - left, flat.y = a.y - top, flat.way_x = across * flat.over_length, flat.way_y = down * flat.over_length;
+  flat.x = a.x - left, flat.y = a.y - top, flat.dir_x = across * flat.over_length, flat.dir_y = down * flat.over_length;
   flat.half = a.half_width, flat.more_half = b.half_width - a.half_width;
   flat.inverse = a.inverse, flat.more_inverse = b.inverse - a.inverse;
   flat.sharpness = std::clamp(8 * std::max(a.half_width, b.half_width) - 3, 1.0f, 8.0f);
@@ -79,24 +79,24 @@ HWY_INLINE void note_largest(float number, Real share, Real weight, std::size_t 
   store(select(larger, weight, load(sums.blue + at)), sums.blue + at);
 }
 
-/// Adds a segment to an output that has no value at knots (sends). `weight` is its coverage times the transmittance
-/// `through` in front of it.
-template <RasterOutput shown>
-HWY_INLINE void add_place(Real inverse, Real weight, Real through, std::size_t at, TileSums& sums) {
+/// Adds a segment to an output that has no value at knots (has_knot_values). `weight` is its coverage times the
+/// transmittance `transmittance` in front of it.
+template <RasterOutput output>
+HWY_INLINE void add_geometric_output(Real inverse, Real weight, Real transmittance, std::size_t at, TileSums& sums) {
   const Real before = load(sums.red + at);
-  if constexpr (shown == RasterOutput::distance) {
+  if constexpr (output == RasterOutput::distance) {
     store(mul_add(weight, 1.0f / max(inverse, 1e-12f), before), sums.red + at);
-  } else if constexpr (shown == RasterOutput::count) {
+  } else if constexpr (output == RasterOutput::count) {
     store(before + select(weight > 0.0f, 1.0f, 0.0f), sums.red + at);
   } else {
-    store(select((through >= 0.5f) & (through - weight < 0.5f), inverse, before), sums.red + at);
+    store(select((transmittance >= 0.5f) & (transmittance - weight < 0.5f), inverse, before), sums.red + at);
   }
 }
 
 /// Blends a segment over a block, a pixel a lane. Returns whether any pixel of it still lets light through.
-template <RasterOutput shown>
+template <RasterOutput output>
 HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, std::size_t at, TileSums& sums) {
-  const Real along = mul_add(x, s.way_x, y * s.way_y), off = abs(y * s.way_x - x * s.way_y);
+  const Real along = mul_add(x, s.dir_x, y * s.dir_y), off = abs(y * s.dir_x - x * s.dir_y);
   const Real share = clamp(along * s.over_length, 0.0f, 1.0f);
   const Real half = mul_add(share, s.more_half, s.half), drawn = max(half, min_half);
   const Real covered = clamp(drawn - off + 0.5f, 0.0f, 1.0f) - clamp(0.5f - drawn - off, 0.0f, 1.0f);
@@ -104,29 +104,29 @@ HWY_INLINE bool blend_lanes(const FlatSegment& s, float number, Real x, Real y, 
                       clamp(mul_add(along - s.length, s.sharpness, 0.5f), 0.0f, 1.0f);
   static_assert(min_half == 1);  // so that half / drawn is min(half, 1):
   const Real alpha = min(covered * within * min(half, 1.0f), 1.0f);
-  const Real through = load(sums.through + at);
+  const Real transmittance = load(sums.transmittance + at);
   const Real inverse = mul_add(share, s.more_inverse, s.inverse);
-  const Mask in_front = inverse > load(sums.behind + at);
-  const Real weight = select(in_front, alpha, 0.0f) * through, left_over = through - weight;
-  store(left_over, sums.through + at);
-  if constexpr (shown == RasterOutput::strand) {
+  const Mask in_front = inverse > load(sums.background_inverse + at);
+  const Real weight = select(in_front, alpha, 0.0f) * transmittance, left_over = transmittance - weight;
+  store(left_over, sums.transmittance + at);
+  if constexpr (output == RasterOutput::strand) {
     note_largest(number, share, weight, at, sums);
-    return any(left_over > min_through);
+    return any(left_over > min_transmittance);
   }
-  if constexpr (!sends(shown)) {
-    add_place<shown>(inverse, weight, through, at, sums);
-    return any(left_over > min_through);
+  if constexpr (!has_knot_values(output)) {
+    add_geometric_output<output>(inverse, weight, transmittance, at, sums);
+    return any(left_over > min_transmittance);
   }
   const auto add = [&](int k, float* sum) HWY_ATTR {
     const Real sent = mul_add(share, s.more_light[k], s.light[k]);
     store(mul_add(weight, sent, load(sum + at)), sum + at);
   };
   add(0, sums.red), add(1, sums.green), add(2, sums.blue);
-  return any(left_over > min_through);
+  return any(left_over > min_transmittance);
 }
 
-/// Blends all segments of a tile. `shown` is albedo for every output that has values at knots.
-template <RasterOutput shown>
+/// Blends all segments of a tile. `output` is albedo for every output that has values at knots.
+template <RasterOutput output>
 HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
   const Vec2 first = block_pixels(0);
   const auto tile_left = static_cast<float>(left), tile_top = static_cast<float>(top);
@@ -140,8 +140,8 @@ HWY_INLINE void blend_all(std::span<const TileSegment> segments, int left, int t
       const int block = std::countr_zero(blocks), bx = block / block_rows, by = block % block_rows;
       const Real x = first.x + (static_cast<float>(block_width * bx) - flat.x);
       const Real y = first.y + (static_cast<float>(block_height * by) - flat.y);
-      if (!blend_lanes<shown>(flat, static_cast<float>(i + 1), x, y, static_cast<std::size_t>(block * lane_count),
-                              sums))
+      if (!blend_lanes<output>(flat, static_cast<float>(i + 1), x, y, static_cast<std::size_t>(block * lane_count),
+                               sums))
         full |= std::uint64_t{1} << block;
     }
   }

@@ -32,26 +32,26 @@ HWY_INLINE void add_row(std::span<const Crossed> cells, float share, float* sums
 
 /// Lanes alternate between strands and body. Returns the mask of the body's lanes.
 HWY_INLINE Mask odd_lanes() {
-  return {hn::MaskFromVec(hn::BitCast(float_tag, hn::Neg(hn::And(hn::Iota(int_tag, 0), whole(1)))))};
+  return {hn::MaskFromVec(hn::BitCast(float_tag, hn::Neg(hn::And(hn::Iota(int_tag, 0), splat(1)))))};
 }
 
 /// Rounds each number to 6 bits, but to steps of at least 1/64 strand. Such steps are too small to be seen.
 HWY_INLINE Real coarse(Real number) {
   constexpr float step = Crossed::one / 64, bits_kept_from = Crossed::one;
-  const Int bits = hn::Add(hn::BitCast(int_tag, number.v), whole(1 << 16));
-  const Real kept = hn::BitCast(float_tag, hn::And(bits, whole(~0x1ffff)));
-  return select(number < bits_kept_from, floor(number * (1 / step) + 0.5f) * step, kept);
+  const Int bits = hn::Add(hn::BitCast(int_tag, number.v), splat(1 << 16));
+  const Real rounded = hn::BitCast(float_tag, hn::And(bits, splat(~0x1ffff)));
+  return select(number < bits_kept_from, floor(number * (1 / step) + 0.5f) * step, rounded);
 }
 
 /// Rounds a number to the value that lookups read: in coarse steps, or the maximum behind a body that stops all light.
 /// `odd`: the lanes of the body.
-HWY_INLINE Real as_seen(Real number, Mask odd) {
+HWY_INLINE Real quantized_value(Real number, Mask odd) {
   const Real body = hn::OddEven(number.v, hn::Reverse2(float_tag, number.v));  // in both lanes of its cell
-  const Real most = select(odd, static_cast<float>(Crossed::max_body), static_cast<float>(Crossed::max_strands));
-  return select(body > Crossed::one * dark_body, most, coarse(number));
+  const Real max_value = select(odd, static_cast<float>(Crossed::max_body), static_cast<float>(Crossed::max_strands));
+  return select(body > Crossed::one * opaque_body_depth, max_value, coarse(number));
 }
 
-template <bool for_eyes>
+template <bool quantize>
 HWY_INLINE CellRange round_row(const float* sums, std::span<Crossed> cells) {
   std::uint16_t* to = &cells.data()->strands;
   const std::size_t count = 2 * cells.size();
@@ -64,7 +64,7 @@ HWY_INLINE CellRange round_row(const float* sums, std::span<Crossed> cells) {
     HWY_ALIGN std::uint16_t before[lane_count] = {};
     std::copy_n(sums + i, there, numbers), std::copy_n(to + i, there, before);
     Real sum = load(numbers);
-    if constexpr (for_eyes) sum = as_seen(sum, odd);
+    if constexpr (quantize) sum = quantized_value(sum, odd);
     const Int now = to_int(min(sum + 0.5f, limits));
     if (hn::AllTrue(int_tag, hn::Eq(now, hn::PromoteTo(int_tag, hn::Load(CellNumbers(), before))))) continue;
     hn::Store(hn::DemoteTo(CellNumbers(), now), CellNumbers(), before);

@@ -14,7 +14,7 @@ namespace pelage {
 
 namespace {
 
-PixelBox whole_of(const RasterScene& scene) { return {0, 0, scene.width, scene.height}; }
+PixelBox full_box(const RasterScene& scene) { return {0, 0, scene.width, scene.height}; }
 
 using Corners = std::array<glm::vec3, 8>;  // corners of a block, relative to the camera: right, up, forward
 
@@ -33,9 +33,9 @@ Corners corners_of(const PictureCamera& camera, const GridBlock& block) {
 bool is_out_of_view(const RasterScene& scene, const Corners& corners, float thickest) {
   const PictureCamera& camera = scene.camera;
   const float edge = drawn_beside(scene, 0, 1), wide = drawn_beside(scene, thickest, 1);
-  const auto past = [&](glm::vec2 way, float pixels) {
+  const auto past = [&](glm::vec2 axis, float pixels) {
     return std::all_of(corners.begin(), corners.end(), [&](glm::vec3 corner) {
-      return camera.scale * glm::dot(way, glm::vec2(corner)) > (pixels + edge) * corner.z + wide;
+      return camera.scale * glm::dot(axis, glm::vec2(corner)) > (pixels + edge) * corner.z + wide;
     });
   };
   return std::all_of(corners.begin(), corners.end(), [](glm::vec3 corner) { return corner.z <= near_distance; }) ||
@@ -51,14 +51,14 @@ PixelBox covered(const RasterScene& scene, const GridBlock& block, float thickes
   glm::vec2 first(1e9f), last(-1e9f);
   float nearest = 1e9f;
   for (const glm::vec3& corner : corners) {
-    if (!(corner.z > 2 * near_distance)) return whole_of(scene);  // it reaches behind the camera
+    if (!(corner.z > 2 * near_distance)) return full_box(scene);  // it reaches behind the camera
     const glm::vec2 pixel = camera.middle + camera.scale / corner.z * glm::vec2(corner.x, -corner.y);
     first = glm::min(first, pixel), last = glm::max(last, pixel), nearest = std::min(nearest, corner.z);
   }
   const float beside = block.fur ? drawn_beside(scene, thickest, nearest) : 1;
-  const auto held = [](float at, int size) { return clamped_index(std::floor(at), 0, size); };
-  return {held(first.x - beside, scene.width), held(first.y - beside, scene.height),
-          held(last.x + beside + 1, scene.width), held(last.y + beside + 1, scene.height)};
+  const auto clamp_to = [](float at, int size) { return clamped_index(std::floor(at), 0, size); };
+  return {clamp_to(first.x - beside, scene.width), clamp_to(first.y - beside, scene.height),
+          clamp_to(last.x + beside + 1, scene.width), clamp_to(last.y + beside + 1, scene.height)};
 }
 
 /// Marks the tiles of a part's drawn strands that may look different: they have changed themselves, or the light at the
@@ -86,7 +86,7 @@ TileMask changed_since(const RasterScene& scene, std::uint64_t since, int thread
   const DensityGrid& grid = *scene.grid;
   TileMask changed(scene.width, scene.height);
   if (grid.all_changed(since) || (scene.near && scene.near->since() > since)) {
-    changed.add(whole_of(scene));
+    changed.add(full_box(scene));
     return changed;
   }
   std::vector<const GrownPart*> parts;

@@ -29,13 +29,13 @@ double pixel_at(const RasterScene& scene, const GrownPart& part) {
 double width_at(const GrownPart& part, double pixel) { return 2 * double{part.strands->points[0].radius} / pixel; }
 
 /// Returns the share of a part's strands that is kept, (0, 1]. Curves are placed on purpose and all kept.
-double kept_share(const RasterScene& scene, const GrownPart& part) {
+double drawn_strand_share(const RasterScene& scene, const GrownPart& part) {
   if (part.role == StrandRole::curve) return 1;
   const double pixel = pixel_at(scene, part);
   const double on_a_pixel = static_cast<double>(part.strands->count()) / std::max(part.area, 1e-12) * pixel * pixel;
   RasterQuality quality = scene.quality;
   quality.strands_a_pixel *= double{part.unwound};
-  return quality.kept_share(on_a_pixel, width_at(part, pixel));
+  return quality.drawn_strand_share(on_a_pixel, width_at(part, pixel));
 }
 
 /// Returns the cosine between a root's normal and the direction to the camera below which its strand stays behind the
@@ -45,13 +45,13 @@ float min_facing(const GrownPart& part) { return -std::min(0.25f + 8 * part.long
 }  // namespace
 
 float drawn_beside(const RasterScene& scene, float thickest, float nearest) {
-  constexpr double edge = 3, wider = deep_of / (1 - fading / 2);  // pixels of antialiasing; largest widening
+  constexpr double edge = 3, wider = deep_strand_factor / (1 - fading / 2);  // pixels of antialiasing; largest widening
   const double half = double{thickest} * double{scene.camera.scale} / double{std::max(nearest, near_distance)};
   return static_cast<float>(edge + wider * std::max(0.5 * scene.quality.widest(), half));
 }
 
 std::uint32_t strands_of_lit(const RasterScene& scene, const GrownPart& part) {
-  if (part.role == StrandRole::curve || !is_coloured(scene.shown)) return 1;
+  if (part.role == StrandRole::curve || !is_coloured(scene.output)) return 1;
   const double wide = std::max(width_at(part, pixel_at(scene, part)) / double{part.wider}, 1.0);  // in the whole coat
   return static_cast<std::uint32_t>(std::max(scene.quality.lit_of / wide, 1.0));
 }
@@ -61,7 +61,7 @@ std::uint32_t lit_strands(const RasterScene& scene, const GrownPart& part, std::
 }
 
 float own_colour(const RasterScene& scene, const GrownPart& part) {
-  return static_cast<float>(std::sqrt(kept_share(scene, part) / double{part.wider}));
+  return static_cast<float>(std::sqrt(drawn_strand_share(scene, part) / double{part.wider}));
 }
 
 bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& box) {
@@ -86,19 +86,19 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
 
 StrandCull strand_cull(const RasterScene& scene, const GrownPart& part) {
   const auto all = static_cast<double>(part.strands->count());
-  const double share = kept_share(scene, part);
+  const double share = drawn_strand_share(scene, part);
   StrandCull cull;
   cull.thins = share < 1, cull.exact = share * all;
   cull.count = static_cast<std::uint32_t>(std::min(std::ceil(cull.exact), all));
-  cull.whole = cull.thins ? 1 / (share * (1 - fading / 2)) : 1;
-  cull.back = glm::normalize(scene.camera.position - part.middle + glm::vec3(1e-9f));
+  cull.width_factor = cull.thins ? 1 / (share * (1 - fading / 2)) : 1;
+  cull.to_camera = glm::normalize(scene.camera.position - part.middle + glm::vec3(1e-9f));
   cull.min_facing = min_facing(part);
   return cull;
 }
 
 float StrandCull::widened(std::uint32_t strand) const {
   const double left = thins ? std::min((exact - strand) / (fading * exact), 1.0) : 1;
-  return static_cast<float>(whole * left);
+  return static_cast<float>(width_factor * left);
 }
 
 void keep_strands(const RasterScene& scene, const GrownPart& part, KeptStrands& kept) {

@@ -27,11 +27,11 @@ float own_colour(const RasterScene& scene, const GrownPart& part);
 struct StrandCull {
   std::uint32_t count = 0;  // only the first `count` strands are drawn: `exact`, rounded up
   double exact = 0;         // number of strands wanted, not rounded
-  double whole = 1;         // factor on the width of strands that do not fade
-  glm::vec3 back{0};        // direction from the middle of the part's skin to the camera, unit
-  float min_facing = 0;     // smallest cosine between a root's normal and `back` of a strand that is drawn
+  double width_factor = 1;  // factor on the width of strands that do not fade
+  glm::vec3 to_camera{0};   // direction from the middle of the part's skin to the camera, unit
+  float min_facing = 0;     // smallest cosine between a root's normal and `to_camera` of a strand that is drawn
 
-  bool faces(const StrandRoot& root) const { return !(glm::dot(root.normal, back) < min_facing); }
+  bool faces(const StrandRoot& root) const { return !(glm::dot(root.normal, to_camera) < min_facing); }
   /// Returns the factor on a strand's width.
   float widened(std::uint32_t strand) const;
   bool thins = false;  // some strands are left out

@@ -23,7 +23,7 @@ struct CellBox {
 };
 
 /// Returns the cells that a box touches.
-CellBox cells_of(const GridPlace& place, glm::vec3 low, glm::vec3 high) {
+CellBox cells_of(const GridLayout& place, glm::vec3 low, glm::vec3 high) {
   const auto cell_of = [&](glm::vec3 at) {
     return glm::clamp(glm::ivec3(glm::floor((at - place.low) / place.cell)), glm::ivec3(0), place.size - 1);
   };
@@ -35,7 +35,7 @@ CellBox cells_of(const GridPlace& place, glm::vec3 low, glm::vec3 high) {
 using StrandIds = std::vector<std::uint32_t>;
 
 /// Returns the strands that differ between two sets of the same size.
-StrandIds other_strands(const StrandSet& a, const StrandSet& b) {
+StrandIds changed_strands(const StrandSet& a, const StrandSet& b) {
   StrandIds ids;
   const auto knots = static_cast<std::size_t>(a.segments) + 1;
   const auto same = [](const auto& one, const auto& other, std::size_t first, std::size_t count) {
@@ -62,38 +62,38 @@ struct PartChange {
   bool all = true, skin = true;   // all of its strands have changed; the look of its skin has
   std::vector<glm::ivec3> cells;  // cells of the strands that changed, before and after
 
-  PartChange(std::uint32_t number, const GrownPart& held, const GrownPart& now)
-      : part(number), skin(held.skin != now.skin) {
-    if (!held.strands || !keeps_as(held, now)) return;
-    ids = other_strands(*held.strands, *now.strands), all = ids.size() == now.strands->count();
+  PartChange(std::uint32_t number, const GrownPart& stored, const GrownPart& now)
+      : part(number), skin(stored.skin != now.skin) {
+    if (!stored.strands || !keeps_as(stored, now)) return;
+    ids = changed_strands(*stored.strands, *now.strands), all = ids.size() == now.strands->count();
   }
 };
 
 /// Returns the share of a strand that stops light as if it lay alone: the turns of a curl shadow each other and the
 /// turns of the strands that curl with it. 1 for a straight strand.
-float share_in_the_open(std::span<const StrandPoint> points) {
-  float way = 0;
-  for (std::size_t k = 1; k < points.size(); ++k) way += glm::distance(points[k - 1].place, points[k].place);
+float exposed_share(std::span<const StrandPoint> points) {
+  float path = 0;
+  for (std::size_t k = 1; k < points.size(); ++k) path += glm::distance(points[k - 1].place, points[k].place);
   const float reach = glm::distance(points.front().place, points.back().place);
-  return 1 / (1 + curl_in_shadow * std::max(way / std::max(reach, 0.02f * way + 1e-9f) - 1, 0.0f));
+  return 1 / (1 + curl_in_shadow * std::max(path / std::max(reach, 0.02f * path + 1e-9f) - 1, 0.0f));
 }
 
 /// Sums of one thread over the cells of one part at a time, before they are added to the grid.
 class PartCells {
  public:
   /// `named`: add() also returns the cells that any strand touches, even one that is not summed.
-  PartCells(const GridPlace& place, bool named) : place_(place), named_(named) {}
+  PartCells(const GridLayout& place, bool named) : layout_(place), named_(named) {}
 
   /// Adds the strands of a change to the grid's cells; several threads may do this at a time. `sign` is -1 for strands
   /// that are removed. With `named`, appends the cells that they touch to `touched`.
   void add(const GrownPart& part, const PartChange& change, int sign, std::vector<CellDensity>& cells,
            std::vector<glm::ivec3>& touched) {
-    const CellBox box = cells_of(place_, part.low, part.high);
+    const CellBox box = cells_of(layout_, part.low, part.high);
     first_ = box.first, size_ = box.size;
     const auto count =
         static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * static_cast<std::size_t>(size_.z);
     if (sums_.size() < count) sums_.resize(count), on_.resize(count);
-    const auto all = static_cast<std::uint32_t>(part.strands->count()), summed = summed_strands(part, place_.cell);
+    const auto all = static_cast<std::uint32_t>(part.strands->count()), summed = summed_strands(part, layout_.cell);
     const float each = static_cast<float>(all) / static_cast<float>(std::max(summed, 1u));
     const auto add = [&](std::uint32_t id) { add_strand(*part.strands, id, id < summed ? each : 0); };
     if (change.all) {
@@ -107,31 +107,31 @@ class PartCells {
  private:
   void add_strand(const StrandSet& set, std::uint32_t id, float weight) {
     const auto segments = static_cast<std::size_t>(set.segments), first = id * (segments + 1);
-    const float share = weight * share_in_the_open(std::span(set.points).subspan(first, segments + 1));
+    const float share = weight * exposed_share(std::span(set.points).subspan(first, segments + 1));
     for (std::size_t k = first; k < first + segments; ++k) add_segment(set.points[k], set.points[k + 1], share);
   }
 
   void add_segment(const StrandPoint& a, const StrandPoint& b, float share) {
-    const glm::vec3 way = b.place - a.place;
-    const float length = glm::length(way), over = 1 / place_.cell;
+    const glm::vec3 path = b.place - a.place;
+    const float length = glm::length(path), over = 1 / layout_.cell;
     const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_segment_steps);
     const float step = 1 / static_cast<float>(steps);
     const float width = share * CellDensity::one * (a.radius + b.radius) * over * over * step;
-    const auto whole = [](float v) {
+    const auto to_fixed = [](float v) {
       constexpr float largest = 1e10f;  // a hundred million such terms fit into 64 bits
       return static_cast<std::int64_t>(std::max(-largest, std::min(largest, v)) + std::copysign(0.5f, v));
     };
-    const std::int64_t along = whole(width * length);
-    const std::int64_t x = whole(width * way.x), y = whole(width * way.y), z = whole(width * way.z);
+    const std::int64_t along = to_fixed(width * length);
+    const std::int64_t x = to_fixed(width * path.x), y = to_fixed(width * path.y), z = to_fixed(width * path.z);
     for (int s = 0; s < steps; ++s) {
-      const glm::vec3 at = a.place + way * ((static_cast<float>(s) + 0.5f) * step);
+      const glm::vec3 at = a.place + path * ((static_cast<float>(s) + 0.5f) * step);
       std::array<std::int64_t, 4>& sum = sums_[index_of(at, over)].sum;
       sum[0] += along, sum[1] += x, sum[2] += y, sum[3] += z;
     }
   }
 
   std::uint32_t index_of(glm::vec3 at, float over) {
-    const glm::ivec3 cell = glm::clamp(glm::ivec3((at - place_.low) * over) - first_, glm::ivec3(0), size_ - 1);
+    const glm::ivec3 cell = glm::clamp(glm::ivec3((at - layout_.low) * over) - first_, glm::ivec3(0), size_ - 1);
     const auto index = static_cast<std::uint32_t>((cell.z * size_.y + cell.y) * size_.x + cell.x);
     if (!on_[index]) on_[index] = 1, touched_.push_back(index);
     return index;
@@ -142,7 +142,7 @@ class PartCells {
       const int at = static_cast<int>(index), across = size_.x, down = size_.y;
       const glm::ivec3 place = first_ + glm::ivec3(at % across, at / across % down, at / (across * down));
       if (named_) touched.push_back(place);
-      CellDensity& cell = cells[place_.index(place)];
+      CellDensity& cell = cells[layout_.index(place)];
       const CellDensity sums = std::exchange(sums_[index], {});
       for (std::size_t i = 0; i < cell.sum.size(); ++i)
         std::atomic_ref(cell.sum[i]).fetch_add(sign * sums.sum[i], std::memory_order_relaxed);
@@ -151,7 +151,7 @@ class PartCells {
     touched_.clear();
   }
 
-  const GridPlace& place_;
+  const GridLayout& layout_;
   bool named_;
   glm::ivec3 first_{0}, size_{1};
   std::vector<CellDensity> sums_;  // for each cell of the part's box; all 0 between parts
@@ -161,17 +161,17 @@ class PartCells {
 
 }  // namespace
 
-GridPlace grid_place(std::span<const GrownPart> parts) {
+GridLayout grid_layout(std::span<const GrownPart> parts) {
   glm::vec3 low(1e9f), high(-1e9f);
   for (const GrownPart& part : parts) {
     if (part.role != StrandRole::coat) continue;
     low = glm::min(low, part.low), high = glm::max(high, part.high);
   }
   if (low.x > high.x) return {};
-  const glm::dvec3 room(high - low);
-  const double longest = std::max({room.x, room.y, room.z});
+  const glm::dvec3 extent(high - low);
+  const double longest = std::max({extent.x, extent.y, extent.z});
   const double cell =
-      std::max({double{finest_cell}, std::cbrt(room.x * room.y * room.z / max_cells), longest / max_side});
+      std::max({double{finest_cell}, std::cbrt(extent.x * extent.y * extent.z / max_cells), longest / max_side});
   // The grid's corners lie on multiples of some cells, so that a stroke seldom moves the grid.
   const glm::dvec3 first = glm::floor((glm::dvec3(low) / cell - 1.0) / cells_a_step) * cells_a_step;
   const glm::dvec3 last = glm::ceil((glm::dvec3(high) / cell + 1.0) / cells_a_step) * cells_a_step;
@@ -192,11 +192,11 @@ void DensityGrid::each_block(glm::ivec3 first, glm::ivec3 last, const Use& use) 
       for (int x = first.x; x <= last.x; ++x) use(glm::ivec3(x, y, z));
 }
 
-void DensityGrid::make_anew(const GridPlace& place, std::size_t parts) {
-  place_ = place;
-  density_.assign(place_.count(), {}), held_.assign(parts, {});
+void DensityGrid::reset(const GridLayout& place, std::size_t parts) {
+  layout_ = place;
+  density_.assign(layout_.count(), {}), summed_parts_.assign(parts, {});
   lights_.clear();
-  blocks_ = (place_.size + block_side - 1) / block_side;
+  blocks_ = (layout_.size + block_side - 1) / block_side;
   const auto count =
       static_cast<std::size_t>(blocks_.x) * static_cast<std::size_t>(blocks_.y) * static_cast<std::size_t>(blocks_.z);
   of_block_.assign(count, 0), fur_of_block_.assign(count, 0), has_skin_.assign(count, 0);
@@ -211,40 +211,40 @@ void DensityGrid::find_skin(const FurModel& model) {
   }
 }
 
-std::vector<std::uint32_t> DensityGrid::other_parts(std::span<const GrownPart> parts) const {
+std::vector<std::uint32_t> DensityGrid::changed_parts(std::span<const GrownPart> parts) const {
   std::vector<std::uint32_t> others;
   for (std::uint32_t p = 0; p < parts.size(); ++p)
-    if (parts[p].role == StrandRole::coat && parts[p].strands != held_[p].strands) others.push_back(p);
+    if (parts[p].role == StrandRole::coat && parts[p].strands != summed_parts_[p].strands) others.push_back(p);
   return others;
 }
 
 /// Empties the grid: when most parts have changed, that costs less than to subtract the strands that changed.
 void DensityGrid::clear_fur() {
   std::fill(density_.begin(), density_.end(), CellDensity());
-  std::fill(held_.begin(), held_.end(), GrownPart());
-  whole_version_ = version_;
+  std::fill(summed_parts_.begin(), summed_parts_.end(), GrownPart());
+  rebuilt_version_ = version_;
 }
 
 /// Subtracts the strands that changed and adds their new state. Sums are integers, so that this is exact.
 CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
-  std::vector<std::uint32_t> others = other_parts(parts);
+  std::vector<std::uint32_t> others = changed_parts(parts);
   if (others.empty()) return {};
-  if (2 * others.size() > parts.size()) clear_fur(), others = other_parts(parts);
+  if (2 * others.size() > parts.size()) clear_fur(), others = changed_parts(parts);
   std::vector<PartChange> changes;
-  for (const std::uint32_t p : others) changes.emplace_back(p, held_[p], parts[p]);
+  for (const std::uint32_t p : others) changes.emplace_back(p, summed_parts_[p], parts[p]);
   std::atomic<std::size_t> next{0};
   run_on_threads(threads, [&] {
-    PartCells cells(place_, whole_version_ < version_);
+    PartCells cells(layout_, rebuilt_version_ < version_);
     for (std::size_t i = next++; i < changes.size(); i = next++) {
       PartChange& change = changes[i];
-      GrownPart& held = held_[change.part];
-      if (held.strands) cells.add(held, change, -1, density_, change.cells);
-      held = parts[change.part];
-      cells.add(held, change, 1, density_, change.cells);
+      GrownPart& stored = summed_parts_[change.part];
+      if (stored.strands) cells.add(stored, change, -1, density_, change.cells);
+      stored = parts[change.part];
+      cells.add(stored, change, 1, density_, change.cells);
     }
   });
-  if (whole_version_ == version_) return CellRows(place_.rows(), {0, place_.size.x});
-  CellRows rows(place_.rows());
+  if (rebuilt_version_ == version_) return CellRows(layout_.rows(), {0, layout_.size.x});
+  CellRows rows(layout_.rows());
   for (const PartChange& change : changes) {
     mark_fur(change.cells, rows);
     if (change.skin) mark_skin(parts[change.part]);
@@ -255,8 +255,8 @@ CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
 /// Marks neighbouring cells too: an end of a strand may lie in the cell beside the one in which it was counted.
 void DensityGrid::mark_fur(std::span<const glm::ivec3> cells, CellRows& rows) {
   for (const glm::ivec3& cell : cells) {
-    rows[place_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});
-    const glm::ivec3 first = glm::max(cell - 1, glm::ivec3(0)), last = glm::min(cell + 1, place_.size - 1);
+    rows[layout_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});
+    const glm::ivec3 first = glm::max(cell - 1, glm::ivec3(0)), last = glm::min(cell + 1, layout_.size - 1);
     each_block(first / block_side, last / block_side,
                [&](glm::ivec3 block) { of_block_[block_at(block)] = fur_of_block_[block_at(block)] = version_; });
   }
@@ -271,14 +271,14 @@ void DensityGrid::mark_skin(const GrownPart& part) {
 void DensityGrid::mark_light(std::span<const std::uint32_t> cells) {
   constexpr int beside = 2;
   for (const std::uint32_t index : cells) {
-    const glm::ivec3 cell = place_.cell_of(index);
+    const glm::ivec3 cell = layout_.cell_of(index);
     each_block(glm::max(cell - beside, glm::ivec3(0)) / block_side,
-               glm::min(cell + beside, place_.size - 1) / block_side,
+               glm::min(cell + beside, layout_.size - 1) / block_side,
                [&](glm::ivec3 block) { of_block_[block_at(block)] = version_; });
   }
 }
 
-void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed,
+void DensityGrid::update_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed,
                                 int threads) {
   std::vector<std::vector<std::uint32_t>> cells(lights.size());
   std::vector<std::optional<LightCells>> made(lights.size());
@@ -289,7 +289,7 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
       static_cast<std::uint32_t>(lights.size()),
       [&](std::uint32_t i) {
         if (!known(i))
-          made[i].emplace(place_, density_, model, lights[i]);
+          made[i].emplace(layout_, density_, model, lights[i]);
         else if (!changed.empty())
           cells[i] = lights_[i].update(density_, changed);
       },
@@ -302,8 +302,8 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
         lights_.push_back(std::move(*made[i]));
       else
         lights_[i] = std::move(*made[i]);
-      whole_version_ = version_;
-    } else if (whole_version_ < version_) {
+      rebuilt_version_ = version_;
+    } else if (rebuilt_version_ < version_) {
       mark_light(cells[i]);
     }
   }
@@ -313,18 +313,18 @@ void DensityGrid::follow_lights(const FurModel& model, std::span<const FurLight>
 void DensityGrid::update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights,
                          int threads) {
   ++version_;
-  if (const GridPlace around = grid_place(parts); !(around == place_) || held_.size() != parts.size()) {
-    make_anew(around, parts.size());
-    whole_version_ = version_;
+  if (const GridLayout around = grid_layout(parts); !(around == layout_) || summed_parts_.size() != parts.size()) {
+    reset(around, parts.size());
+    rebuilt_version_ = version_;
   }
-  if (whole_version_ == version_ || model.id != model_) find_skin(model);
+  if (rebuilt_version_ == version_ || model.id != model_) find_skin(model);
   const CellRows changed = add_fur(parts, threads);
   if (!changed.empty()) fur_version_ = version_;
-  follow_lights(model, lights, changed, threads);
+  update_lights(model, lights, changed, threads);
 }
 
 glm::ivec3 DensityGrid::block_of(glm::vec3 place) const {
-  const glm::ivec3 block(glm::floor((place - place_.low) / (place_.cell * block_side)));
+  const glm::ivec3 block(glm::floor((place - layout_.low) / (layout_.cell * block_side)));
   return glm::clamp(block, glm::ivec3(0), blocks_ - 1);
 }
 
@@ -345,11 +345,11 @@ std::vector<std::int32_t> DensityGrid::changed_flags(std::uint64_t since) const 
 
 std::vector<GridBlock> DensityGrid::changed_blocks(std::uint64_t since) const {
   std::vector<GridBlock> changed;
-  const float side = place_.cell * block_side;
+  const float side = layout_.cell * block_side;
   each_block(glm::ivec3(0), blocks_ - 1, [&](glm::ivec3 block) {
     const std::size_t at = block_at(block);
     if (fur_of_block_[at] <= since && !(has_skin_[at] && of_block_[at] > since)) return;
-    const glm::vec3 low = place_.low + side * glm::vec3(block);
+    const glm::vec3 low = layout_.low + side * glm::vec3(block);
     changed.push_back({low, low + side, fur_of_block_[at] > since});
   });
   return changed;

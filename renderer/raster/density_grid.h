@@ -22,14 +22,14 @@ struct GridBlock {
 enum BlockChange : std::int32_t { fur_changed = 1, light_changed = 2 };
 
 /// Layout of the blocks: block b is the cube with its lowest corner at low + b side.
-struct BlockPlace {
+struct BlockLayout {
   glm::vec3 low{0};
   float side = 1;       // sizes
   glm::ivec3 count{0};  // blocks along each axis
 };
 
 /// Returns the grid around the fur of all coats. Curves do not count.
-GridPlace grid_place(std::span<const GrownPart> parts);
+GridLayout grid_layout(std::span<const GrownPart> parts);
 
 /// Returns how many of a part's first strands are summed on behalf of all: about 8 for each cell face if more stand
 /// there. They suffice because the first n strands of a part lie evenly over its skin, for any n.
@@ -41,7 +41,7 @@ class DensityGrid {
   /// are too thin for cells. Deterministic for any number of threads, with the same bits as in a new grid.
   void update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights, int threads);
 
-  const GridPlace& place() const { return place_; }
+  const GridLayout& place() const { return layout_; }
   /// Returns the density of each cell, without curves.
   std::span<const CellDensity> density() const { return density_; }
   /// Returns what a light crosses on its way to each cell.
@@ -55,8 +55,8 @@ class DensityGrid {
   /// Returns the version of the last update that changed what a light crosses.
   std::uint64_t crossed_version() const { return crossed_version_; }
   /// Returns whether everything may have changed since then.
-  bool all_changed(std::uint64_t since) const { return since < whole_version_; }
-  BlockPlace blocks() const { return {place_.low, place_.cell * block_side, blocks_}; }
+  bool all_changed(std::uint64_t since) const { return since < rebuilt_version_; }
+  BlockLayout blocks() const { return {layout_.low, layout_.cell * block_side, blocks_}; }
   /// Returns for each block, row by row, the BlockChange bits of what may have changed in it or within reach of its
   /// lookups.
   std::vector<std::int32_t> changed_flags(std::uint64_t since) const;
@@ -69,7 +69,7 @@ class DensityGrid {
   static constexpr int block_side = 2;  // cells
 
   /// Returns the parts of coats whose strands differ from those in held_.
-  std::vector<std::uint32_t> other_parts(std::span<const GrownPart> parts) const;
+  std::vector<std::uint32_t> changed_parts(std::span<const GrownPart> parts) const;
   void clear_fur();
   /// Returns the cells in which the density may have changed.
   CellRows add_fur(std::span<const GrownPart> parts, int threads);
@@ -77,8 +77,8 @@ class DensityGrid {
   void mark_skin(const GrownPart& part);
   void mark_light(std::span<const std::uint32_t> cells);
   void find_skin(const FurModel& model);
-  void make_anew(const GridPlace& place, std::size_t parts);
-  void follow_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed, int threads);
+  void reset(const GridLayout& place, std::size_t parts);
+  void update_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed, int threads);
   glm::ivec3 block_of(glm::vec3 place) const;
   /// Calls use(block) for each block from `first` to `last`, both included.
   template <class Use>
@@ -87,12 +87,12 @@ class DensityGrid {
     return static_cast<std::size_t>((block.z * blocks_.y + block.y) * blocks_.x + block.x);
   }
 
-  GridPlace place_;
+  GridLayout layout_;
   std::vector<CellDensity> density_;
-  std::vector<GrownPart> held_;  // each part as it is summed in density_; without strands if it is not
+  std::vector<GrownPart> summed_parts_;  // each part as it is summed in density_; without strands if it is not
   std::uint64_t model_ = 0;
   std::vector<LightCells> lights_;
-  std::uint64_t version_ = 0, fur_version_ = 0, crossed_version_ = 0, whole_version_ = 0;
+  std::uint64_t version_ = 0, fur_version_ = 0, crossed_version_ = 0, rebuilt_version_ = 0;
   glm::ivec3 blocks_{0};
   // For each block: the last version that changed anything lookups read there, the last that changed its fur, and
   // whether it contains skin.

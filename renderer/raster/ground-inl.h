@@ -26,9 +26,9 @@ struct GroundKnots {
     for (int i = 0; i < count; i += lane_count) {
       const Real number = min(to_real(hn::Iota(int_tag, i)), static_cast<float>(side * side - 1));
       const Real row = floor((number + 0.5f) * (1.0f / side)), column = number - row * static_cast<float>(side);
-      const Vec3 way = ray_through(scene.camera, mul_add(column, static_cast<float>(apart), static_cast<float>(left)),
+      const Vec3 ray = ray_through(scene.camera, mul_add(column, static_cast<float>(apart), static_cast<float>(left)),
                                    mul_add(row, static_cast<float>(apart), static_cast<float>(top)));
-      store(from.ground_dark(way), dark + i);
+      store(from.ground_darkness(ray), dark + i);
     }
   }
 
@@ -42,12 +42,14 @@ struct GroundKnots {
   }
 };
 
-HWY_INLINE void darken_all(const RasterScene& scene, int left, int top, std::span<float> through) {
-  if (std::none_of(through.begin(), through.end(), [](float open) { return open > min_shown; })) return;
+HWY_INLINE void darken_all(const RasterScene& scene, int left, int top, std::span<float> transmittances) {
+  if (std::none_of(transmittances.begin(), transmittances.end(),
+                   [](float pixel_transmittance) { return pixel_transmittance > min_visible; }))
+    return;
   const GroundKnots knots(scene, left, top);
   for (int block = 0; block < block_columns * block_rows; ++block) {
-    float* open = &through[static_cast<std::size_t>(block * lane_count)];
-    store(load(open) * (1.0f - knots.at(block_pixels(block))), open);
+    float* pixel_transmittance = &transmittances[static_cast<std::size_t>(block * lane_count)];
+    store(load(pixel_transmittance) * (1.0f - knots.at(block_pixels(block))), pixel_transmittance);
   }
 }
 

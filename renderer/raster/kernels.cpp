@@ -21,14 +21,14 @@ HWY_BEFORE_NAMESPACE();
 namespace pelage::HWY_NAMESPACE {
 
 void HandOnLight(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
-  if (sources.whole.by_colour)
+  if (sources.from_root.by_colour)
     hand_on_all<true>(set, sources, first, placed);
   else
     hand_on_all<false>(set, sources, first, placed);
 }
 
 void BlendSegments(const RasterScene& scene, std::span<const TileSegment> segments, int left, int top, TileSums& sums) {
-  switch (scene.shown) {
+  switch (scene.output) {
     case RasterOutput::distance: return blend_all<RasterOutput::distance>(segments, left, top, sums);
     case RasterOutput::depth: return blend_all<RasterOutput::depth>(segments, left, top, sums);
     case RasterOutput::strand: return blend_all<RasterOutput::strand>(segments, left, top, sums);
@@ -41,8 +41,8 @@ void LightSkin(const RasterScene& scene, SkinSeen& seen) {
   for (int i = 0; i < SkinSeen::count; i += lane_count) light_seen(scene, seen, i);
 }
 
-CellRange RoundCells(const float* sums, bool as_seen, std::span<Crossed> cells) {
-  return as_seen ? round_row<true>(sums, cells) : round_row<false>(sums, cells);
+CellRange RoundCells(const float* sums, bool quantize, std::span<Crossed> cells) {
+  return quantize ? round_row<true>(sums, cells) : round_row<false>(sums, cells);
 }
 
 const char* Name() { return hwy::TargetName(HWY_TARGET); }
@@ -58,7 +58,7 @@ HWY_EXPORT(find_all_changed);
 HWY_EXPORT(light_all);
 HWY_EXPORT(HandOnLight);
 HWY_EXPORT(BlendSegments);
-HWY_EXPORT(meet_all);
+HWY_EXPORT(intersect_all);
 HWY_EXPORT(light_eyes_of);
 HWY_EXPORT(LightSkin);
 HWY_EXPORT(darken_all);
@@ -76,12 +76,12 @@ void find_changed(const RasterScene& scene, const GrownPart& part, const KeptStr
   HWY_DYNAMIC_DISPATCH(find_all_changed)(scene, part, kept, blocks, boxes);
 }
 
-void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool whole,
+void light_strands(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids, bool from_root,
                    LitPoints& light) {
-  HWY_DYNAMIC_DISPATCH(light_all)(scene, part, ids, whole, light);
+  HWY_DYNAMIC_DISPATCH(light_all)(scene, part, ids, from_root, light);
 }
 
-void hand_on_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
+void distribute_light(const StrandSet& set, const LightSources& sources, std::size_t first, PlacedStrands& placed) {
   HWY_DYNAMIC_DISPATCH(HandOnLight)(set, sources, first, placed);
 }
 
@@ -90,27 +90,28 @@ void blend_segments(const RasterScene& scene, std::span<const TileSegment> segme
   HWY_DYNAMIC_DISPATCH(BlendSegments)(scene, segments, left, top, sums);
 }
 
-void meet_eyes(const RasterScene& scene, int left, int top, std::span<float> ends, std::span<std::int8_t> numbers) {
-  HWY_DYNAMIC_DISPATCH(meet_all)(scene, left, top, ends.data(), numbers.data());
+void intersect_eyes(const RasterScene& scene, int left, int top, std::span<float> background_inverse,
+                    std::span<std::int8_t> numbers) {
+  HWY_DYNAMIC_DISPATCH(intersect_all)(scene, left, top, background_inverse.data(), numbers.data());
 }
 
 void light_eyes(const RasterScene& scene, int left, int top, std::span<const std::int8_t> numbers,
-                std::span<const float> ends, TileSums& sums) {
-  HWY_DYNAMIC_DISPATCH(light_eyes_of)(scene, left, top, numbers.data(), ends.data(), sums);
+                std::span<const float> background_inverse, TileSums& sums) {
+  HWY_DYNAMIC_DISPATCH(light_eyes_of)(scene, left, top, numbers.data(), background_inverse.data(), sums);
 }
 
 void light_skin(const RasterScene& scene, SkinSeen& seen) { HWY_DYNAMIC_DISPATCH(LightSkin)(scene, seen); }
 
-void darken_ground(const RasterScene& scene, int left, int top, std::span<float> through) {
-  HWY_DYNAMIC_DISPATCH(darken_all)(scene, left, top, through);
+void darken_ground(const RasterScene& scene, int left, int top, std::span<float> transmittance) {
+  HWY_DYNAMIC_DISPATCH(darken_all)(scene, left, top, transmittance);
 }
 
 void add_cells(std::span<const Crossed> cells, float share, float* sums) {
   HWY_DYNAMIC_DISPATCH(add_row)(cells, share, sums);
 }
 
-CellRange round_cells(const float* sums, bool as_seen, std::span<Crossed> cells) {
-  return HWY_DYNAMIC_DISPATCH(RoundCells)(sums, as_seen, cells);
+CellRange round_cells(const float* sums, bool quantize, std::span<Crossed> cells) {
+  return HWY_DYNAMIC_DISPATCH(RoundCells)(sums, quantize, cells);
 }
 
 const char* instruction_set() { return HWY_DYNAMIC_DISPATCH(Name)(); }

@@ -11,22 +11,22 @@ namespace pelage {
 namespace {
 
 /// Adds the area of a triangle, as projected along the light's rays, to the cells in which it lies. `away`: that area.
-void add_skin(const GridPlace& place, glm::vec3 a, glm::vec3 b, glm::vec3 c, float away, std::vector<float>& cells) {
+void add_skin(const GridLayout& layout, glm::vec3 a, glm::vec3 b, glm::vec3 c, float away, std::vector<float>& cells) {
   const float longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
-  if (longest > 0.75f * place.cell) {
+  if (longest > 0.75f * layout.cell) {
     const glm::vec3 ab = 0.5f * (a + b), bc = 0.5f * (b + c), ca = 0.5f * (c + a);
-    add_skin(place, a, ab, ca, away / 4, cells), add_skin(place, ab, b, bc, away / 4, cells);
-    add_skin(place, ca, bc, c, away / 4, cells), add_skin(place, ab, bc, ca, away / 4, cells);
+    add_skin(layout, a, ab, ca, away / 4, cells), add_skin(layout, ab, b, bc, away / 4, cells);
+    add_skin(layout, ca, bc, c, away / 4, cells), add_skin(layout, ab, bc, ca, away / 4, cells);
     return;
   }
-  const glm::ivec3 cell(glm::floor(((a + b + c) / 3.0f - place.low) / place.cell));
-  if (place.has(cell)) cells[place.index(cell)] += away / (place.cell * place.cell);
+  const glm::ivec3 cell(glm::floor(((a + b + c) / 3.0f - layout.low) / layout.cell));
+  if (layout.has(cell)) cells[layout.index(cell)] += away / (layout.cell * layout.cell);
 }
 
 /// Returns how much of each cell's face the skin covers. Only skin that faces away from the light stops it, so that
 /// nothing lies in its own shadow, whatever the size of the cells.
-std::vector<float> skin_facing_away(const GridPlace& place, const FurModel& model, const FurLight& light) {
-  std::vector<float> cells(place.count());
+std::vector<float> skin_facing_away(const GridLayout& layout, const FurModel& model, const FurLight& light) {
+  std::vector<float> cells(layout.count());
   for (std::size_t i = 0; i < model.triangles.size(); ++i) {
     const glm::uvec3 t = model.triangles[i];
     const glm::vec3 a = model.positions[t.x], b = model.positions[t.y], c = model.positions[t.z];
@@ -34,7 +34,7 @@ std::vector<float> skin_facing_away(const GridPlace& place, const FurModel& mode
     const glm::vec3 from =
         light.kind == LightKind::directional ? light.direction : apart / std::max(glm::length(apart), 1e-6f);
     const float away = 0.5f * glm::dot(glm::cross(b - a, c - a), from) * model.corners[i][0].weight;
-    if (away > 0) add_skin(place, a, b, c, away, cells);
+    if (away > 0) add_skin(layout, a, b, c, away, cells);
   }
   return cells;
 }
@@ -55,8 +55,8 @@ struct Sum {
 
 /// Returns the cells along an axis in the order in which light reaches them: from its position to both ends.
 std::vector<int> order_from(float light, int size) {
-  const float held = std::clamp(light, 0.0f, static_cast<float>(size) - 1);
-  const int first = static_cast<int>(held);
+  const float clamped = std::clamp(light, 0.0f, static_cast<float>(size) - 1);
+  const int first = static_cast<int>(clamped);
   std::vector<int> order;
   for (int i = first; i < size; ++i) order.push_back(i);
   for (int i = first - 1; i >= 0; --i) order.push_back(i);
@@ -66,7 +66,7 @@ std::vector<int> order_from(float light, int size) {
 /// Weighted sums for a range of cells of one row.
 class RowSums {
  public:
-  explicit RowSums(const GridPlace& place) : place_(place), sums_(2 * static_cast<std::size_t>(place.size.x)) {}
+  explicit RowSums(const GridLayout& layout) : layout_(layout), sums_(2 * static_cast<std::size_t>(layout.size.x)) {}
 
   void begin(int y, int z, CellRange cells) {
     y_ = y, z_ = z, cells_ = cells;
@@ -74,28 +74,28 @@ class RowSums {
   }
   void add(const std::vector<Crossed>& from, const CellTap& tap) {
     const int y = y_ + tap.off.y, z = z_ + tap.off.z;
-    if (tap.share == 0 || !place_.has({0, y, z})) return;
-    const int begin = std::max(cells_.begin, -tap.off.x), end = std::min(cells_.end, place_.size.x - tap.off.x);
+    if (tap.share == 0 || !layout_.has({0, y, z})) return;
+    const int begin = std::max(cells_.begin, -tap.off.x), end = std::min(cells_.end, layout_.size.x - tap.off.x);
     if (begin >= end) return;
-    add_cells(std::span(from).subspan(place_.index({begin + tap.off.x, y, z}), static_cast<std::size_t>(end - begin)),
+    add_cells(std::span(from).subspan(layout_.index({begin + tap.off.x, y, z}), static_cast<std::size_t>(end - begin)),
               tap.share, &sums_[2 * static_cast<std::size_t>(begin)]);
   }
   /// Stores the rounded sums. Returns the range of cells that changed.
-  CellRange round_into(std::vector<Crossed>& to, bool as_seen) const {
+  CellRange round_into(std::vector<Crossed>& to, bool quantize) const {
     const auto count = static_cast<std::size_t>(cells_.end - cells_.begin);
-    CellRange changed = round_cells(&sums_[2 * static_cast<std::size_t>(cells_.begin)], as_seen,
-                                    std::span(to).subspan(place_.index({cells_.begin, y_, z_}), count));
+    CellRange changed = round_cells(&sums_[2 * static_cast<std::size_t>(cells_.begin)], quantize,
+                                    std::span(to).subspan(layout_.index({cells_.begin, y_, z_}), count));
     return {changed.begin + cells_.begin, changed.end + cells_.begin};
   }
   /// The same, where each cell also adds the new value of its neighbour in the row, which is stored just before it.
   CellRange round_in_order(const CellTap& beside, std::vector<Crossed>& to) const {
     CellRange changed;
     const int step = -beside.off.x;
-    const std::size_t first = place_.index({0, y_, z_});
+    const std::size_t first = layout_.index({0, y_, z_});
     for (int x = step > 0 ? cells_.begin : cells_.end - 1; x >= cells_.begin && x < cells_.end; x += step) {
       Sum sum{sums_[2 * static_cast<std::size_t>(x)], sums_[2 * static_cast<std::size_t>(x) + 1]};
       const int before = x + beside.off.x;
-      if (before >= 0 && before < place_.size.x) sum.add(to[first + static_cast<std::size_t>(before)], beside.share);
+      if (before >= 0 && before < layout_.size.x) sum.add(to[first + static_cast<std::size_t>(before)], beside.share);
       Crossed& cell = to[first + static_cast<std::size_t>(x)];
       const Crossed now = sum.rounded_sum();
       if (!(cell == now)) changed.add({x, x + 1}), cell = now;
@@ -104,7 +104,7 @@ class RowSums {
   }
 
  private:
-  const GridPlace& place_;
+  const GridLayout& layout_;
   std::vector<float> sums_;  // strands and body of each cell of the row
   int y_ = 0, z_ = 0;
   CellRange cells_;
@@ -113,7 +113,7 @@ class RowSums {
 }  // namespace
 
 /// The cells that a ray from a cell to the light passes, relative to the cell, with their weights.
-struct LightCells::Way {
+struct LightCells::RayTaps {
   std::array<CellTap, 4> before;               // neighbours on the light's side, between which the ray passes
   float longer = 1;                            // length of the ray between two slices across its main axis, cells
   std::array<CellTap, light_near_steps> near;  // cells along the ray, one for each step of a cell
@@ -121,7 +121,7 @@ struct LightCells::Way {
 
   /// `steps`: for each axis 1, or 0 if the light lies in the cell's own slice along it: then no light comes from the
   /// next slice.
-  explicit Way(glm::vec3 to_light, glm::vec3 steps = glm::vec3(1)) {
+  explicit RayTaps(glm::vec3 to_light, glm::vec3 steps = glm::vec3(1)) {
     const glm::vec3 size = glm::abs(to_light);
     const int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
     const glm::ivec3 step(glm::sign(to_light));
@@ -147,44 +147,44 @@ struct LightCells::Way {
   }
 };
 
-LightCells::LightCells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
+LightCells::LightCells(const GridLayout& layout, std::span<const CellDensity> density, const FurModel& model,
                        const FurLight& light)
-    : place_(place),
+    : layout_(layout),
       light_(light),
-      far_(light.kind == LightKind::directional),
-      source_(far_ ? -light.direction : (light.position - place.low) / place.cell),
-      local_(place.count()),
-      through_(place.count()),
-      crossed_(place.count()) {
-  const std::vector<float> skin = skin_facing_away(place, model, light);
+      directional_(light.kind == LightKind::directional),
+      source_(directional_ ? -light.direction : (light.position - layout.low) / layout.cell),
+      local_(layout.count()),
+      through_(layout.count()),
+      crossed_(layout.count()) {
+  const std::vector<float> skin = skin_facing_away(layout, model, light);
   for (std::size_t i = 0; i < skin.size(); ++i)
     local_[i].body = rounded(Crossed::one * skin_depth * skin[i], Crossed::max_body);
-  CellRows all(place.rows(), {0, place.size.x});
+  CellRows all(layout.rows(), {0, layout.size.x});
   follow(density, all, all);
 }
 
 glm::vec3 LightCells::to_light(glm::vec3 cell) const {
-  if (far_) return source_;
+  if (directional_) return source_;
   const glm::vec3 apart = source_ - cell;
   return apart / std::max(glm::length(apart), 1e-3f);
 }
 
 std::vector<std::uint32_t> LightCells::update(std::span<const CellDensity> density, const CellRows& changed) {
-  CellRows local(place_.rows());
+  CellRows local(layout_.rows());
   return follow(density, changed, local);
 }
 
 /// `local`: cells that count as changed in any case.
 std::vector<std::uint32_t> LightCells::follow(std::span<const CellDensity> density, const CellRows& changed,
                                               CellRows& local) {
-  for (int z = 0; z < place_.size.z; ++z)
-    for (int y = 0; y < place_.size.y; ++y) {
-      const std::size_t row = place_.row(y, z);
+  for (int z = 0; z < layout_.size.z; ++z)
+    for (int y = 0; y < layout_.size.y; ++y) {
+      const std::size_t row = layout_.row(y, z);
       local[row].add(find_local(density, y, z, changed[row]));
     }
-  if (!far_) return follow_near();
-  const Way way(source_);
-  return look_back(way, local, sweep(way, local));
+  if (!directional_) return follow_near();
+  const RayTaps direction(source_);
+  return look_back(direction, local, sweep(direction, local));
 }
 
 /// Finds how many strands a light ray crosses within each cell, over a path as long as the cell is wide. Returns the
@@ -192,15 +192,15 @@ std::vector<std::uint32_t> LightCells::follow(std::span<const CellDensity> densi
 CellRange LightCells::find_local(std::span<const CellDensity> density, int y, int z, CellRange cells) {
   CellRange changed;
   for (int x = cells.begin; x < cells.end; ++x) {
-    const std::size_t at = place_.index({x, y, z});
+    const std::size_t at = layout_.index({x, y, z});
     const CellDensity& fur = density[at];
     std::uint16_t strands = 0;
     if (fur.sum[0] > 0) {
-      const glm::vec3 way(fur.sum[1], fur.sum[2], fur.sum[3]);
-      const float whole = static_cast<float>(fur.sum[0]);
-      const float along = glm::dot(way, to_light(glm::vec3(x, y, z) + 0.5f)) / whole;
+      const glm::vec3 direction(fur.sum[1], fur.sum[2], fur.sum[3]);
+      const float total = static_cast<float>(fur.sum[0]);
+      const float along = glm::dot(direction, to_light(glm::vec3(x, y, z) + 0.5f)) / total;
       const float across = std::sqrt(std::max(1 - (1 - strand_spread) * along * along, 0.0f));
-      strands = rounded(Crossed::one / CellDensity::one * whole * across, Crossed::max_strands);
+      strands = rounded(Crossed::one / CellDensity::one * total * across, Crossed::max_strands);
     }
     if (local_[at].strands == strands) continue;
     local_[at].strands = strands;
@@ -210,36 +210,37 @@ CellRange LightCells::find_local(std::span<const CellDensity> density, int y, in
 }
 
 /// Marks the cells that read a changed cell through a tap.
-void LightCells::add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const {
+void LightCells::add_readers(const CellRows& changed, const CellTap& tap, CellRows& readers) const {
   if (tap.share == 0) return;
-  for (int z = std::max(0, -tap.off.z); z < std::min(place_.size.z, place_.size.z - tap.off.z); ++z)
-    for (int y = std::max(0, -tap.off.y); y < std::min(place_.size.y, place_.size.y - tap.off.y); ++y)
-      seeing[place_.row(y, z)].add(tap.seen_by(changed[place_.row(y + tap.off.y, z + tap.off.z)], place_.size.x));
+  for (int z = std::max(0, -tap.off.z); z < std::min(layout_.size.z, layout_.size.z - tap.off.z); ++z)
+    for (int y = std::max(0, -tap.off.y); y < std::min(layout_.size.y, layout_.size.y - tap.off.y); ++y)
+      readers[layout_.row(y, z)].add(
+          tap.readers_of(changed[layout_.row(y + tap.off.y, z + tap.off.z)], layout_.size.x));
 }
 
 /// Finds what the light crosses up to each cell's far side, by short characteristics (Kunasz and Auer 1988): a cell
 /// adds its own crossing to that of the four neighbours on the light's side. The interpolation spreads light a little
 /// from cell to cell, so that distant shadows have soft edges. Returns the cells that changed.
-CellRows LightCells::sweep(const Way& way, const CellRows& local) {
+CellRows LightCells::sweep(const RayTaps& direction, const CellRows& local) {
   const glm::vec3 start = glm::sign(source_) * 1e9f;
-  CellRows through(place_.rows());
-  RowSums sums(place_);
+  CellRows through(layout_.rows());
+  RowSums sums(layout_);
   const CellTap* beside = nullptr;  // the neighbour in the row itself, if any
-  for (const CellTap& tap : way.before)
+  for (const CellTap& tap : direction.before)
     if (tap.off.y == 0 && tap.off.z == 0 && tap.share > 0) beside = &tap;
-  for (const int z : order_from(start.z, place_.size.z)) {
-    for (const int y : order_from(start.y, place_.size.y)) {
-      CellRange cells = local[place_.row(y, z)];
-      for (const CellTap& tap : way.before)
-        if (const glm::ivec3 at = glm::ivec3(0, y, z) + glm::ivec3(0, tap.off.y, tap.off.z); place_.has(at))
-          cells.add(tap.seen_by(through[place_.row(at.y, at.z)], place_.size.x));
+  for (const int z : order_from(start.z, layout_.size.z)) {
+    for (const int y : order_from(start.y, layout_.size.y)) {
+      CellRange cells = local[layout_.row(y, z)];
+      for (const CellTap& tap : direction.before)
+        if (const glm::ivec3 at = glm::ivec3(0, y, z) + glm::ivec3(0, tap.off.y, tap.off.z); layout_.has(at))
+          cells.add(tap.readers_of(through[layout_.row(at.y, at.z)], layout_.size.x));
       if (cells.empty()) continue;
-      if (beside) (beside->off.x > 0 ? cells.begin : cells.end) = beside->off.x > 0 ? 0 : place_.size.x;
+      if (beside) (beside->off.x > 0 ? cells.begin : cells.end) = beside->off.x > 0 ? 0 : layout_.size.x;
       sums.begin(y, z, cells);
-      sums.add(local_, {{}, way.longer});
-      for (const CellTap& tap : way.before)
+      sums.add(local_, {{}, direction.longer});
+      for (const CellTap& tap : direction.before)
         if (&tap != beside) sums.add(through_, tap);
-      through[place_.row(y, z)] = beside ? sums.round_in_order(*beside, through_) : sums.round_into(through_, false);
+      through[layout_.row(y, z)] = beside ? sums.round_in_order(*beside, through_) : sums.round_into(through_, false);
     }
   }
   return through;
@@ -247,21 +248,22 @@ CellRows LightCells::sweep(const Way& way, const CellRows& local) {
 
 /// Finds what the light crosses up to each cell's middle: sums the cells along the ray itself near the cell, so that
 /// shadows of near fur are sharp, and adds through_ from there on. Returns the cells that changed.
-std::vector<std::uint32_t> LightCells::look_back(const Way& way, const CellRows& local, const CellRows& through) {
-  CellRows seeing(place_.rows());
+std::vector<std::uint32_t> LightCells::look_back(const RayTaps& direction, const CellRows& local,
+                                                 const CellRows& through) {
+  CellRows readers(layout_.rows());
   std::vector<std::uint32_t> changed;
   std::vector<Crossed> before;
-  for (const CellTap& tap : way.near) add_seeing(local, tap, seeing);
-  for (const CellTap& tap : way.beyond) add_seeing(through, tap, seeing);
-  RowSums sums(place_);
-  for (int z = 0; z < place_.size.z; ++z) {
-    for (int y = 0; y < place_.size.y; ++y) {
-      const CellRange cells = seeing[place_.row(y, z)];
+  for (const CellTap& tap : direction.near) add_readers(local, tap, readers);
+  for (const CellTap& tap : direction.beyond) add_readers(through, tap, readers);
+  RowSums sums(layout_);
+  for (int z = 0; z < layout_.size.z; ++z) {
+    for (int y = 0; y < layout_.size.y; ++y) {
+      const CellRange cells = readers[layout_.row(y, z)];
       if (cells.empty()) continue;
       sums.begin(y, z, cells);
-      for (const CellTap& tap : way.near) sums.add(local_, tap);
-      for (const CellTap& tap : way.beyond) sums.add(through_, tap);
-      const std::size_t first = place_.index({0, y, z});
+      for (const CellTap& tap : direction.near) sums.add(local_, tap);
+      for (const CellTap& tap : direction.beyond) sums.add(through_, tap);
+      const std::size_t first = layout_.index({0, y, z});
       const auto row = crossed_.begin() + static_cast<std::ptrdiff_t>(first);
       before.assign(row + cells.begin, row + cells.end);
       sums.round_into(crossed_, true);
@@ -278,28 +280,28 @@ std::vector<std::uint32_t> LightCells::look_back(const Way& way, const CellRows&
 std::vector<std::uint32_t> LightCells::follow_near() {
   const auto add = [&](const auto& taps, glm::ivec3 cell, const std::vector<Crossed>& from, Sum& sum) {
     for (const CellTap& tap : taps)
-      if (place_.has(cell + tap.off)) sum.add(from[place_.index(cell + tap.off)], tap.share);
+      if (layout_.has(cell + tap.off)) sum.add(from[layout_.index(cell + tap.off)], tap.share);
   };
-  const std::vector<int> along = order_from(source_.x, place_.size.x), down = order_from(source_.y, place_.size.y);
-  const glm::ivec3 first(glm::clamp(source_, glm::vec3(0), glm::vec3(place_.size - 1)));
-  for (const int z : order_from(source_.z, place_.size.z)) {
+  const std::vector<int> along = order_from(source_.x, layout_.size.x), down = order_from(source_.y, layout_.size.y);
+  const glm::ivec3 first(glm::clamp(source_, glm::vec3(0), glm::vec3(layout_.size - 1)));
+  for (const int z : order_from(source_.z, layout_.size.z)) {
     for (const int y : down) {
       for (const int x : along) {
         const glm::ivec3 cell(x, y, z);
-        const Way way(to_light(glm::vec3(cell) + 0.5f), glm::notEqual(cell, first));
+        const RayTaps direction(to_light(glm::vec3(cell) + 0.5f), glm::notEqual(cell, first));
         Sum sum;
-        sum.add(local_[place_.index(cell)], way.longer);
-        add(way.before, cell, through_, sum);
-        through_[place_.index(cell)] = sum.rounded_sum();
+        sum.add(local_[layout_.index(cell)], direction.longer);
+        add(direction.before, cell, through_, sum);
+        through_[layout_.index(cell)] = sum.rounded_sum();
       }
     }
   }
   std::vector<std::uint32_t> changed;
   for (std::size_t at = 0; at < crossed_.size(); ++at) {
-    const glm::ivec3 cell = place_.cell_of(at);
-    const Way way(to_light(glm::vec3(cell) + 0.5f));
+    const glm::ivec3 cell = layout_.cell_of(at);
+    const RayTaps direction(to_light(glm::vec3(cell) + 0.5f));
     Sum sum;
-    add(way.near, cell, local_, sum), add(way.beyond, cell, through_, sum);
+    add(direction.near, cell, local_, sum), add(direction.beyond, cell, through_, sum);
     const std::array<float, 2> sums{sum.strands, sum.body};
     if (!round_cells(sums.data(), true, std::span(crossed_).subspan(at, 1)).empty())
       changed.push_back(static_cast<std::uint32_t>(at));

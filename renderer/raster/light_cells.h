@@ -14,7 +14,7 @@
 namespace pelage {
 
 /// Layout of the cells: cell c is the cube with its centre at low + (c + .5) cell.
-struct GridPlace {
+struct GridLayout {
   glm::vec3 low{0};
   float cell = 1;      // sizes
   glm::ivec3 size{2};  // cells along each axis, at least 2
@@ -34,7 +34,7 @@ struct GridPlace {
   bool has(glm::ivec3 c) const {
     return !glm::any(glm::lessThan(c, glm::ivec3(0))) && !glm::any(glm::greaterThanEqual(c, size));
   }
-  bool operator==(const GridPlace&) const = default;
+  bool operator==(const GridLayout&) const = default;
 };
 
 /// A range of cells in a row along x, half-open.
@@ -56,7 +56,7 @@ struct CellTap {
   float share = 0;
 
   /// Returns the cells of a row that read a changed cell, if `changed` lies in the row at this offset.
-  CellRange seen_by(CellRange changed, int size) const {
+  CellRange readers_of(CellRange changed, int size) const {
     if (changed.empty() || share == 0) return {};
     return {std::max(changed.begin - off.x, 0), std::min(changed.end - off.x, size)};
   }
@@ -85,7 +85,7 @@ static_assert(sizeof(Crossed) == 4);
 /// updated change by change.
 class LightCells {
  public:
-  LightCells(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
+  LightCells(const GridLayout& layout, std::span<const CellDensity> density, const FurModel& model,
              const FurLight& light);
 
   /// Updates the cells after the density has changed in the cells of `changed`. Returns the indices of the cells whose
@@ -97,18 +97,18 @@ class LightCells {
   std::size_t bytes() const { return 3 * crossed_.size() * sizeof(Crossed); }
 
  private:
-  struct Way;
+  struct RayTaps;
   glm::vec3 to_light(glm::vec3 cell) const;
   std::vector<std::uint32_t> follow(std::span<const CellDensity> density, const CellRows& changed, CellRows& local);
   CellRange find_local(std::span<const CellDensity> density, int y, int z, CellRange cells);
-  void add_seeing(const CellRows& changed, const CellTap& tap, CellRows& seeing) const;
-  CellRows sweep(const Way& way, const CellRows& local);
-  std::vector<std::uint32_t> look_back(const Way& way, const CellRows& local, const CellRows& through);
+  void add_readers(const CellRows& changed, const CellTap& tap, CellRows& readers) const;
+  CellRows sweep(const RayTaps& direction, const CellRows& local);
+  std::vector<std::uint32_t> look_back(const RayTaps& direction, const CellRows& local, const CellRows& through);
   std::vector<std::uint32_t> follow_near();
 
-  GridPlace place_;
+  GridLayout layout_;
   FurLight light_;
-  bool far_;          // the light is directional
+  bool directional_;  // the light is directional
   glm::vec3 source_;  // position of the light, in cells; for a directional light, the direction to it
   // For each cell: what the light crosses within it, up to its far side, and up to its middle.
   std::vector<Crossed> local_, through_, crossed_;

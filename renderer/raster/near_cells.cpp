@@ -39,9 +39,9 @@ bool is_near(const RasterScene& scene, const GrownPart& part) {
 }
 
 std::uint32_t index_of(glm::vec3 cells) {
-  const auto whole = [](float v) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(v))); };
-  return (whole(cells.x) * std::uint32_t{near_of_x} ^ whole(cells.y) * std::uint32_t{near_of_y} ^
-          whole(cells.z) * std::uint32_t{near_of_z}) &
+  const auto to_index = [](float v) { return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::floor(v))); };
+  return (to_index(cells.x) * std::uint32_t{near_of_x} ^ to_index(cells.y) * std::uint32_t{near_of_y} ^
+          to_index(cells.z) * std::uint32_t{near_of_z}) &
          (NearCells::count - 1);
 }
 
@@ -49,13 +49,13 @@ void add_to_cells(std::span<const StrandPoint> points, float cell, std::vector<s
   const float over = 1 / cell;
   for (std::size_t k = 1; k < points.size(); ++k) {
     const StrandPoint &a = points[k - 1], &b = points[k];
-    const glm::vec3 way = b.place - a.place;
-    const float length = glm::length(way);
+    const glm::vec3 segment = b.place - a.place;
+    const float length = glm::length(segment);
     const float steps = std::clamp(std::ceil(length * over), 1.0f, 1024.0f), step = 1 / steps;
     const float covered = NearCells::one * (a.radius + b.radius) * length * over * over * step;
-    const auto added = static_cast<std::uint16_t>(std::clamp(covered, 0.0f, near_step_most) + 0.5f);
+    const auto added = static_cast<std::uint16_t>(std::clamp(covered, 0.0f, max_near_step) + 0.5f);
     for (float s = 0.5f; s < steps; ++s) {
-      const glm::vec3 at = glm::clamp((a.place + way * (s * step)) * over, glm::vec3(-1e9f), glm::vec3(1e9f));
+      const glm::vec3 at = glm::clamp((a.place + segment * (s * step)) * over, glm::vec3(-1e9f), glm::vec3(1e9f));
       std::atomic_ref(cells[index_of(at)]).fetch_add(added, std::memory_order_relaxed);
     }
   }
@@ -79,11 +79,11 @@ std::vector<std::uint32_t> near_parts(const RasterScene& scene) {
 float near_cell_side(float cell) { return cell / over_cell; }
 
 void NearCells::fill(int threads) {
-  cells_.assign(held_.empty() ? 0 : count + 1, 0);  // one more: lookups read pairs
+  cells_.assign(strands_.empty() ? 0 : count + 1, 0);  // one more: lookups read pairs
   for_each_in_parallel(
-      static_cast<std::uint32_t>(held_.size()),
+      static_cast<std::uint32_t>(strands_.size()),
       [&](std::uint32_t i) {
-        const StrandSet& set = *held_[i];
+        const StrandSet& set = *strands_[i];
         const auto knots = static_cast<std::size_t>(set.segments) + 1;
         for (std::size_t k = 0; k < set.points.size(); k += knots)
           add_to_cells(std::span(set.points).subspan(k, knots), cell_, cells_);
@@ -97,9 +97,9 @@ void NearCells::update(const RasterScene& scene, std::uint64_t version, int thre
   std::vector<std::shared_ptr<const StrandSet>> sets;
   for (const std::uint32_t i : parts) sets.push_back(scene.parts[i].strands);
   const float cell = near_cell_side(scene.cells->cell);
-  if (parts == parts_ && cell_ == cell && sets == held_) return;
+  if (parts == parts_ && cell_ == cell && sets == strands_) return;
   since_ = version;
-  cell_ = cell, parts_ = std::move(parts), held_ = std::move(sets);
+  cell_ = cell, parts_ = std::move(parts), strands_ = std::move(sets);
   fill(threads);
 }
 

@@ -22,7 +22,7 @@ float near_cell_side(float cell);
 /// Cells found by a hash of their coordinates (Teschner et al. 2003), because most of the space around fur is empty.
 class NearCells {
  public:
-  static constexpr std::uint32_t count = near_places;  // entries of the hash table; some cells share one
+  static constexpr std::uint32_t count = near_entries;  // entries of the hash table; some cells share one
   static constexpr float one = near_one;
 
   /// Updates the cells to the strands of near_parts. `version` is that of the density grid.
@@ -46,8 +46,8 @@ class NearCells {
 
   float cell_ = 1, mean_ = 0;
   std::vector<std::uint16_t> cells_;
-  std::vector<std::uint32_t> parts_;                    // near_parts that are in the cells
-  std::vector<std::shared_ptr<const StrandSet>> held_;  // strands of each of parts_
+  std::vector<std::uint32_t> parts_;                       // near_parts that are in the cells
+  std::vector<std::shared_ptr<const StrandSet>> strands_;  // strands of each of parts_
   std::uint64_t since_ = 0;
 };
 

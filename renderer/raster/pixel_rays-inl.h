@@ -27,7 +27,7 @@ static_assert(lane_count % 4 == 0 && block_columns * block_rows <= 64);
 /// Returns the middles of a block's pixels, in pixels from the tile's corner.
 HWY_INLINE Vec2 block_pixels(int block) {
   const Int lanes = hn::Iota(int_tag, 0);
-  return {to_real(hn::And(lanes, whole(3))) + (static_cast<float>(block_width * (block / block_rows)) + 0.5f),
+  return {to_real(hn::And(lanes, splat(3))) + (static_cast<float>(block_width * (block / block_rows)) + 0.5f),
           to_real(hn::ShiftRight<2>(lanes)) + (static_cast<float>(block_height * (block % block_rows)) + 0.5f)};
 }
 

@@ -24,14 +24,14 @@ struct KnotLanes {
 inline constexpr int root_stride = sizeof(StrandRoot) / sizeof(float);
 
 HWY_INLINE Int strand_rows(const std::uint32_t* ids, int numbers) {
-  return hn::Mul(hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(ids)), whole(numbers));
+  return hn::Mul(hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(ids)), splat(numbers));
 }
 
 /// Extent of strands on the picture, a strand a lane.
 struct PlacedLanes {
   Real left, right, top, bottom;  // pixels
   Real nearest;                   // 1 / the smallest distance
-  Real way;                       // length along the strand, pixels
+  Real arc_length;                // length along the strand, pixels
   Real reach;                     // distance from its root to its tip on the picture, pixels
   Real longest;                   // length of its longest segment, pixels
   Real widest;                    // largest half width, pixels
@@ -60,7 +60,7 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     if (k == 0) placed.root = place, root_x = x, root_y = y;
     if (k > 0) {
       const Real segment = length(Vec2{x - before_x, y - before_y});
-      placed.way += segment, placed.longest = max(placed.longest, segment);
+      placed.arc_length += segment, placed.longest = max(placed.longest, segment);
       placed.length += length(place - placed.tip);
     }
     placed.widest = max(placed.widest, half);
@@ -93,7 +93,7 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
     const Real height = strand.reach * (static_cast<float>(k) / static_cast<float>(segments));
     const Int slice = to_int(clamp(height * static_cast<float>(slice_count), 0.0f, slice_count - 1.0f));
     const Real above = gather(&frame.depth_above[0].x, slice) * strand.length * crowding;
-    const Real crossed = strands_crossed(above, way_out(height, facing), along, to_camera);
+    const Real crossed = strands_crossed(above, exit_path_length(height, facing), along, to_camera);
     deep = deep & (crossed >= seen_depth);
     if (!any(deep)) break;
     hidden = select(deep, static_cast<float>(k), hidden);
@@ -102,26 +102,26 @@ HWY_INLINE Real hidden_knot(const RasterScene& scene, const DepthLanes& strand, 
 }
 
 /// Returns which lanes touch the box and may be visible in it. A strand is hidden if all of its knots lie in the box
-/// and behind all skin around them (`hidden`). Strands too long or too wide for hidden_around are always kept; this
+/// and behind all skin around them (`hidden`). Strands too long or too wide for hiding_radius are always kept; this
 /// allows for two segments drawn as one and for deep parts drawn `wider`. So a strand that is left out is visible
 /// nowhere, whatever the box.
 HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, int segments, Real wider,
                            const PixelBox& box, std::span<const float> hidden) {
   const auto left = static_cast<float>(box.left), top = static_cast<float>(box.top);
   const auto right = static_cast<float>(box.right), bottom = static_cast<float>(box.bottom);
-  const Real beside = drawn_edge + (wider - 1.0f) * placed.widest;
+  const Real beside = drawn_margin + (wider - 1.0f) * placed.widest;
   const Mask inside = (placed.right > left - beside) & (placed.left < right + beside) & (placed.bottom > top - beside) &
                       (placed.top < bottom + beside);
   if (!any(inside)) return inside;
-  Mask seen = 2.0f * placed.longest + wider * placed.widest > hidden_around - drawn_edge;
+  Mask seen = 2.0f * placed.longest + wider * placed.widest > hiding_radius - drawn_margin;
   const int across = tiles_of(box).across * (tile_side / hiding_side);
   for (int k = segments; k >= 0 && !all(seen); --k) {
     const Real x = load(knots.x[k]), y = load(knots.y[k]);
     seen = seen | (x < left) | (x >= right) | (y < top) | (y >= bottom);
     const Real bx = floor((clamp(x, left, right - 1.0f) - left) * (1.0f / hiding_side));
     const Real by = floor((clamp(y, top, bottom - 1.0f) - top) * (1.0f / hiding_side));
-    const Real least = gather(hidden.data(), to_int(mul_add(by, static_cast<float>(across), bx)));
-    seen = seen | (load(knots.inverse[k]) > least);
+    const Real hidden_inverse = gather(hidden.data(), to_int(mul_add(by, static_cast<float>(across), bx)));
+    seen = seen | (load(knots.inverse[k]) > hidden_inverse);
   }
   return inside & seen;
 }
@@ -129,7 +129,7 @@ HWY_INLINE Mask seen_lanes(const PlacedLanes& placed, const KnotLanes& knots, in
 /// Returns those of `lanes` that touch a tile that is to be drawn.
 HWY_INLINE std::uint32_t drawn_lanes(const TileMask& drawn, const PlacedLanes& placed, Real wider,
                                      std::uint32_t lanes) {
-  const Real beside = drawn_edge + (wider - 1.0f) * placed.widest;
+  const Real beside = drawn_margin + (wider - 1.0f) * placed.widest;
   HWY_ALIGN float left[lane_count], top[lane_count], right[lane_count], bottom[lane_count];
   store(placed.left - beside, left), store(placed.top - beside, top);
   store(placed.right + beside, right), store(placed.bottom + beside, bottom);
@@ -147,13 +147,13 @@ HWY_INLINE float apart(const PlacedKnot& a, const PlacedKnot& b) {
   return std::sqrt(x * x + y * y);
 }
 
-/// Widens the knots of a curl whose turns are too small to be drawn, so that its coverage stays the same: `way` is its
-/// length along the turns, pixels. The increase is at most the curl's own width, about one `step` between its knots,
-/// and at most a pixel to each side.
-HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float way, float step) {
+/// Widens the knots of a curl whose turns are too small to be drawn, so that its coverage stays the same: `arc_length`
+/// is its length along the turns, pixels. The increase is at most the curl's own width, about one `step` between its
+/// knots, and at most a pixel to each side.
+HWY_INLINE void widen_for_curls(std::span<PlacedKnot> knots, float arc_length, float step) {
   float drawn = 0;
   for (std::size_t k = 1; k < knots.size(); ++k) drawn += apart(knots[k], knots[k - 1]);
-  const float more = way / std::max(drawn, 1e-3f);
+  const float more = arc_length / std::max(drawn, 1e-3f);
   if (more < 1.1f) return;
   for (PlacedKnot& knot : knots)
     knot.half_width = std::min(knot.half_width * more, knot.half_width + std::min(step, 1.0f));
@@ -168,10 +168,10 @@ HWY_INLINE void round_tip(PlacedKnot& tip, const PlacedKnot& before, float wider
 
 /// How a strand that is kept is drawn.
 struct KeptLane {
-  int lane, first, deep;  // lane; first knot drawn; knots before `deep` are visible only through gaps between strands
-  float way, reach;       // as in PlacedLanes
-  float wider;            // its width over that in the whole coat
-  float packing;          // share of the skin that the coat's strands fill, over (half_width / inverse)^2
+  int lane, first, deep;    // lane; first knot drawn; knots before `deep` are visible only through gaps between strands
+  float arc_length, reach;  // as in PlacedLanes
+  float wider;              // its width over that in the whole coat
+  float packing;            // share of the skin that the coat's strands fill, over (half_width / inverse)^2
 };
 
 /// Returns the half width of a knot, widened for packing. Strands do not intersect each other, so the thicker they are
@@ -186,11 +186,11 @@ HWY_INLINE float packed_half(const KeptLane& kept, const PlacedKnot& knot) {
 /// Appends the knots of a lane, thinned so that they are at least about min_segment pixels apart. Deep knots are wider,
 /// but not so wide that they would be visible beside the fur above them.
 HWY_INLINE void append_lane(const KnotLanes& knots, const KeptLane& kept, int segments, PlacedStrands& placed) {
-  const int rest = segments - kept.first;
+  const int remaining = segments - kept.first;
   const float over = 1 / static_cast<float>(segments);
-  const float wanted = kept.way / min_segment * static_cast<float>(rest) * over;
-  const int count = std::min(rest, std::max(2, static_cast<int>(std::min(wanted, 64.0f))));
-  const float step = static_cast<float>(rest) / static_cast<float>(count);
+  const float wanted = kept.arc_length / min_segment * static_cast<float>(remaining) * over;
+  const int count = std::min(remaining, std::max(2, static_cast<int>(std::min(wanted, 64.0f))));
+  const float step = static_cast<float>(remaining) / static_cast<float>(count);
   const std::size_t at = placed.knots.size();
   placed.knots.resize(at + static_cast<std::size_t>(count) + 1), placed.along.resize(placed.knots.size());
   PlacedKnot* knot = &placed.knots[at];
@@ -202,25 +202,27 @@ HWY_INLINE void append_lane(const KnotLanes& knots, const KeptLane& kept, int se
     const float packed = knot->half_width = packed_half(kept, *knot);
     *along = static_cast<float>(k) * over;
     const float above = kept.reach * (1 - *along);  // pixels
-    if (k < kept.deep) knot->half_width = std::clamp(0.5f * above, packed, std::max(packed, deep_of * thin));
+    if (k < kept.deep) knot->half_width = std::clamp(0.5f * above, packed, std::max(packed, deep_strand_factor * thin));
   }
   round_tip(placed.knots.back(), placed.knots[placed.knots.size() - 2], kept.wider);
-  if (count < rest)
-    widen_for_curls(std::span(placed.knots).subspan(at), kept.way * static_cast<float>(rest) * over, kept.way * over);
+  if (count < remaining)
+    widen_for_curls(std::span(placed.knots).subspan(at), kept.arc_length * static_cast<float>(remaining) * over,
+                    kept.arc_length * over);
   placed.first.push_back(static_cast<std::uint32_t>(placed.knots.size()));
 }
 
-HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids, Vec3 root, Vec3 tip, Real way) {
+HWY_INLINE DepthLanes depth_lanes(const StrandSet& set, const std::uint32_t* ids, Vec3 root, Vec3 tip,
+                                  Real arc_length) {
   const Int roots = strand_rows(ids, root_stride);
   const Quad normal = gather_quad(&set.roots[0].normal.x, roots);
   const Real reach = gather(&set.roots[0].reach, roots);
-  const Real straight = max(length(tip - root), 0.02f * way + 1e-9f);
-  const Real in_the_open = way / (1.0f + curl_in_shadow * max(way / straight - 1.0f, 0.0f));
+  const Real straight = max(length(tip - root), 0.02f * arc_length + 1e-9f);
+  const Real exposed_length = arc_length / (1.0f + curl_in_shadow * max(arc_length / straight - 1.0f, 0.0f));
   return {root,
           tip,
           {normal.real(0), normal.real(1), normal.real(2)},
           reach,
-          in_the_open / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
+          exposed_length / max(reach, 0.01f) * static_cast<float>(1 / nominal_length)};
 }
 
 /// Returns the share of the skin that strands of radius 1 would fill: the flatter they lie, the more.
@@ -235,17 +237,17 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
   const StrandSet& set = *part.strands;
   KnotLanes knots;
   const std::size_t count = kept.ids.size();
-  const std::uint32_t last_whole = count > 0 ? whole_strands(kept.ids.back()) : 0;
+  const std::uint32_t from_root_end = count > 0 ? strands_from_root(kept.ids.back()) : 0;
   std::size_t stay = 0;
   if (placed.first.empty()) placed.first.push_back(0);
   for (std::size_t i = 0; i < count; i += lane_count) {
     std::uint32_t ids[lane_count];
-    float widened[lane_count], wider[lane_count], way[lane_count], reach[lane_count], hidden[lane_count],
+    float widened[lane_count], wider[lane_count], arc_length[lane_count], reach[lane_count], hidden[lane_count],
         packing[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) {
       const std::size_t at = std::min(i + l, count - 1);
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
-      wider[l] = ids[l] < last_whole ? static_cast<float>(deep_of) : 1.0f;
+      wider[l] = ids[l] < from_root_end ? static_cast<float>(deep_strand_factor) : 1.0f;
     }
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
     std::uint32_t seen = bits_of(seen_lanes(lanes, knots, set.segments, load(wider), box, hidden_by_skin));
@@ -253,7 +255,7 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
     if (scene.drawn) seen = drawn_lanes(*scene.drawn, lanes, load(wider), seen);
     if (seen == 0) continue;
     const DepthLanes depth = depth_lanes(set, ids, lanes.root, lanes.tip, lanes.length);
-    store(lanes.way, way), store(lanes.reach, reach), store(packing_of(part, depth), packing);
+    store(lanes.arc_length, arc_length), store(lanes.reach, reach), store(packing_of(part, depth), packing);
     store(hidden_knot(scene, depth, part.crowding, set.segments), hidden);
     for (; seen != 0; seen &= seen - 1) {
       const int lane = std::countr_zero(seen);
@@ -261,8 +263,8 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
       const int deep = static_cast<int>(hidden[lane]);
       const float more = widened[lane] * scene.camera.scale;
       append_lane(knots,
-                  {lane, ids[lane] < last_whole ? 0 : deep, deep, way[lane], reach[lane], part.wider * widened[lane],
-                   packing[lane] / (more * more)},
+                  {lane, ids[lane] < from_root_end ? 0 : deep, deep, arc_length[lane], reach[lane],
+                   part.wider * widened[lane], packing[lane] / (more * more)},
                   set.segments, placed);
     }
   }
@@ -272,17 +274,17 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
 // Which strands may look different, and where they lie on the picture; a strand a lane.
 
 /// Returns the BlockChange bits of all blocks that contain a knot of each lane's strand.
-HWY_INLINE Int changed_lanes(const BlockPlace& place, std::span<const std::int32_t> blocks, const StrandSet& set,
+HWY_INLINE Int changed_lanes(const BlockLayout& place, std::span<const std::int32_t> blocks, const StrandSet& set,
                              const std::uint32_t* ids) {
   const Int rows = strand_rows(ids, (set.segments + 1) * 4);
-  Int changed = whole(0);
+  Int changed = splat(0);
   for (int k = 0; k <= set.segments; ++k) {
     const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
     const Vec3 at = (Vec3{point.real(0), point.real(1), point.real(2)} - Vec3(place.low)) * (1 / place.side);
     const auto block = [](Real along, int count)
                            HWY_ATTR { return to_int(clamp(along, 0.0f, static_cast<float>(count) - 0.5f)); };
-    const Int row = hn::Add(hn::Mul(block(at.z, place.count.z), whole(place.count.y)), block(at.y, place.count.y));
-    const Int index = hn::Add(hn::Mul(row, whole(place.count.x)), block(at.x, place.count.x));
+    const Int row = hn::Add(hn::Mul(block(at.z, place.count.z), splat(place.count.y)), block(at.y, place.count.y));
+    const Int index = hn::Add(hn::Mul(row, splat(place.count.x)), block(at.x, place.count.x));
     changed = hn::Or(changed, gather(blocks.data(), index));
   }
   return changed;
@@ -293,7 +295,7 @@ HWY_INLINE void find_all_changed(const RasterScene& scene, const GrownPart& part
   const StrandSet& set = *part.strands;
   KnotLanes knots;
   const std::size_t count = kept.ids.size();
-  const std::uint32_t last_whole = count > 0 ? whole_strands(kept.ids.back()) : 0;
+  const std::uint32_t from_root_end = count > 0 ? strands_from_root(kept.ids.back()) : 0;
   boxes.resize(count);
   for (std::size_t i = 0; i < count; i += lane_count) {
     std::uint32_t ids[lane_count];
@@ -301,10 +303,10 @@ HWY_INLINE void find_all_changed(const RasterScene& scene, const GrownPart& part
     for (std::size_t l = 0; l < lane_count; ++l) {
       const std::size_t at = std::min(i + l, count - 1);
       ids[l] = kept.ids[at], widened[l] = kept.widened[at];
-      wider[l] = ids[l] < last_whole ? static_cast<float>(deep_of) : 1.0f;
+      wider[l] = ids[l] < from_root_end ? static_cast<float>(deep_strand_factor) : 1.0f;
     }
     const PlacedLanes lanes = place_lanes(scene.camera, set, ids, widened, knots);
-    const Real beside = drawn_edge + load(wider) * lanes.widest;
+    const Real beside = drawn_margin + load(wider) * lanes.widest;
     HWY_ALIGN float left[lane_count], top[lane_count], right[lane_count], bottom[lane_count];
     store(lanes.left - beside, left), store(lanes.top - beside, top);
     store(lanes.right + beside, right), store(lanes.bottom + beside, bottom);

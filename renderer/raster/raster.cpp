@@ -63,9 +63,9 @@ void place_batch(const RasterScene& scene, const PixelBox& box, std::span<const 
     const std::uint32_t last = kept.ids.back();
     const std::size_t before = batch.placed.first.empty() ? 0 : batch.placed.first.size() - 1;
     place_strands(scene, part, box, hidden, kept, batch.placed);
-    if (scene.shown == RasterOutput::strand)
+    if (scene.output == RasterOutput::strand)
       for (const std::uint32_t id : kept.ids) batch.named.push_back({first_number + id + 1, coat_number(part)});
-    if (!sends(scene.shown)) continue;
+    if (!has_knot_values(scene.output)) continue;
     batch.lit += light.light(scene, part, kept.ids, last, before, batch.placed);
   }
 }
@@ -80,7 +80,7 @@ struct TileDrawer {
   FloatImage& picture;
 
   /// Scratch memory of a thread, reused from tile to tile.
-  struct Room {
+  struct Scratch {
     std::vector<BinEntry> sorted, sorting;
     std::vector<TileSegment> segments;
   };
@@ -88,31 +88,31 @@ struct TileDrawer {
     const int across = tiles_of(box).across;
     return !scene.drawn || scene.drawn->has(box.left + tile % across * tile_side, box.top + tile / across * tile_side);
   }
-  void draw(int tile, Room& room) const;
+  void draw(int tile, Scratch& scratch) const;
   void name_strands(std::span<const BinEntry> segments, TileSums& sums) const;
   void add_skin(int tile, int left, int top, TileSums& sums) const;
   void write(int left, int top, const TileSums& sums) const;
 };
 
-void TileDrawer::draw(int tile, Room& room) const {
+void TileDrawer::draw(int tile, Scratch& scratch) const {
   const int across = tiles_of(box).across, left = box.left + tile % across * tile_side,
             top = box.top + tile / across * tile_side;
   TileSums sums;
-  std::fill_n(sums.through, tile_pixels, 1.0f);
+  std::fill_n(sums.transmittance, tile_pixels, 1.0f);
   for (float* channel : {sums.red, sums.green, sums.blue}) std::fill_n(channel, tile_pixels, 0.0f);
   const std::size_t first_pixel = static_cast<std::size_t>(tile) * tile_pixels;
-  std::copy_n(&skin.ends()[first_pixel], tile_pixels, sums.behind);
-  sort_by_distance(bins.tile(tile), room.sorted, room.sorting);
-  room.segments.clear();
-  for (const BinEntry& entry : room.sorted) {
+  std::copy_n(&skin.background_inverse()[first_pixel], tile_pixels, sums.background_inverse);
+  sort_by_distance(bins.tile(tile), scratch.sorted, scratch.sorting);
+  scratch.segments.clear();
+  for (const BinEntry& entry : scratch.sorted) {
     const PlacedKnot* knot = &batches[entry.batch].placed.knots[entry.knot];
-    room.segments.push_back({knot, knot + 1});
+    scratch.segments.push_back({knot, knot + 1});
   }
-  blend_segments(scene, room.segments, left, top, sums);
-  if (scene.shown == RasterOutput::strand) name_strands(room.sorted, sums);
+  blend_segments(scene, scratch.segments, left, top, sums);
+  if (scene.output == RasterOutput::strand) name_strands(scratch.sorted, sums);
   if (!skin.eyes.empty())
     light_eyes(scene, left, top, std::span(skin.eyes).subspan(first_pixel, tile_pixels),
-               std::span(skin.ends()).subspan(first_pixel, tile_pixels), sums);
+               std::span(skin.background_inverse()).subspan(first_pixel, tile_pixels), sums);
   add_skin(tile, left, top, sums);
   write(left, top, sums);
 }
@@ -123,7 +123,7 @@ void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums
     const auto segment = static_cast<std::size_t>(sums.red[pixel]);
     const float covered = std::exchange(sums.blue[pixel], 0.0f), share = std::exchange(sums.green[pixel], 0.0f);
     sums.red[pixel] = 0;
-    if (segment == 0 || (sums.behind[pixel] > 0 && sums.through[pixel] > covered)) continue;
+    if (segment == 0 || (sums.background_inverse[pixel] > 0 && sums.transmittance[pixel] > covered)) continue;
     const BinEntry& entry = segments[segment - 1];
     const PlacedStrands& placed = batches[entry.batch].placed;
     const auto next = std::upper_bound(placed.first.begin(), placed.first.end(), std::uint32_t{entry.knot});
@@ -137,20 +137,21 @@ void TileDrawer::name_strands(std::span<const BinEntry> segments, TileSums& sums
 /// Shades the skin in some pixels of a tile, and adds it weighted by the transmittance of the strands in front.
 void blend_skin(const RasterScene& scene, std::span<const int> pixels, SkinSeen& seen, TileSums& sums) {
   for (std::size_t i = pixels.size(); i < SkinSeen::count; ++i)  // fill the unused lanes
-    seen.x[i] = seen.x[0], seen.y[i] = seen.y[0], seen.inverse[i] = seen.inverse[0], seen.piece[i] = seen.piece[0];
+    seen.x[i] = seen.x[0], seen.y[i] = seen.y[0], seen.inverse[i] = seen.inverse[0],
+    seen.triangle[i] = seen.triangle[0];
   light_skin(scene, seen);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int pixel = pixels[i];
-    float through = std::exchange(sums.through[pixel], 0.0f);
-    if (scene.shown == RasterOutput::depth) through = through >= 0.5f ? 1.0f : 0.0f;
-    sums.red[pixel] += through * seen.red[i], sums.green[pixel] += through * seen.green[i];
-    sums.blue[pixel] += through * seen.blue[i];
+    float transmittance = std::exchange(sums.transmittance[pixel], 0.0f);
+    if (scene.output == RasterOutput::depth) transmittance = transmittance >= 0.5f ? 1.0f : 0.0f;
+    sums.red[pixel] += transmittance * seen.red[i], sums.green[pixel] += transmittance * seen.green[i];
+    sums.blue[pixel] += transmittance * seen.blue[i];
   }
 }
 
-/// Adds the skin where at least min_shown of a pixel is left for it, SkinSeen::count pixels at a time.
+/// Adds the skin where at least min_visible of a pixel is left for it, SkinSeen::count pixels at a time.
 void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
-  const std::uint32_t* piece = &skin.piece[static_cast<std::size_t>(tile) * tile_pixels];
+  const std::uint32_t* triangle = &skin.triangle[static_cast<std::size_t>(tile) * tile_pixels];
   const float* inverse = &skin.inverse[static_cast<std::size_t>(tile) * tile_pixels];
   SkinSeen seen;
   std::array<int, SkinSeen::count> pixels{};
@@ -158,10 +159,10 @@ void TileDrawer::add_skin(int tile, int left, int top, TileSums& sums) const {
   for (int i = 0; i < tile_pixels; ++i) {
     const int x = i % tile_side, y = i / tile_side, pixel = pixel_in_tile(x, y);
     if (!(inverse[pixel] > 0)) continue;
-    if (sums.through[pixel] < min_shown) sums.through[pixel] = 0;
-    if (sums.through[pixel] == 0) continue;
+    if (sums.transmittance[pixel] < min_visible) sums.transmittance[pixel] = 0;
+    if (sums.transmittance[pixel] == 0) continue;
     seen.x[count] = static_cast<float>(left + x) + 0.5f, seen.y[count] = static_cast<float>(top + y) + 0.5f;
-    seen.inverse[count] = inverse[pixel], seen.piece[count] = piece[pixel], pixels[count++] = pixel;
+    seen.inverse[count] = inverse[pixel], seen.triangle[count] = triangle[pixel], pixels[count++] = pixel;
     if (count == pixels.size()) blend_skin(scene, pixels, seen, sums), count = 0;
   }
   if (count > 0) blend_skin(scene, std::span(pixels).first(count), seen, sums);
@@ -174,7 +175,8 @@ void TileDrawer::write(int left, int top, const TileSums& sums) const {
       const int pixel = pixel_in_tile(x - left, y - top);
       float* out = &picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                                       static_cast<std::size_t>(x))];
-      out[0] = sums.red[pixel], out[1] = sums.green[pixel], out[2] = sums.blue[pixel], out[3] = 1 - sums.through[pixel];
+      out[0] = sums.red[pixel], out[1] = sums.green[pixel], out[2] = sums.blue[pixel],
+      out[3] = 1 - sums.transmittance[pixel];
     }
   }
 }
@@ -190,7 +192,7 @@ void place_and_bin(const RasterScene& scene, const PixelBox& box, const SkinPixe
         bins.find(i, batches[i].placed, skin.furthest, scene.keys);
       },
       threads);
-  bins.make_room();
+  bins.allocate_entries();
   for_each_in_parallel(
       count, [&](std::uint32_t i) { bins.put(i); }, threads);
 }
@@ -198,9 +200,9 @@ void place_and_bin(const RasterScene& scene, const PixelBox& box, const SkinPixe
 void draw_tiles(const TileDrawer& drawer, int count, int threads) {
   std::atomic<int> next{0};
   run_on_threads(threads, [&] {
-    TileDrawer::Room room;
+    TileDrawer::Scratch scratch;
     for (int tile = next++; tile < count; tile = next++)
-      if (drawer.is_drawn(tile)) drawer.draw(tile, room);
+      if (drawer.is_drawn(tile)) drawer.draw(tile, scratch);
   });
 }
 
@@ -208,24 +210,24 @@ void darken_tile(const RasterScene& scene, const PixelBox& box, int tile, FloatI
   const int across = tiles_of(box).across, left = box.left + tile % across * tile_side,
             top = box.top + tile / across * tile_side;
   const int right = std::min(left + tile_side, box.right), bottom = std::min(top + tile_side, box.bottom);
-  alignas(64) std::array<float, tile_pixels> through{};
+  alignas(64) std::array<float, tile_pixels> transmittance{};
   const auto each = [&](const auto& use) {
     for (int y = top; y < bottom; ++y)
       for (int x = left; x < right; ++x)
-        use(through[static_cast<std::size_t>(pixel_in_tile(x - left, y - top))],
+        use(transmittance[static_cast<std::size_t>(pixel_in_tile(x - left, y - top))],
             picture.rgba[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                               static_cast<std::size_t>(x)) +
                          3]);
   };
   each([](float& open, const float& alpha) { open = 1 - alpha; });
-  darken_ground(scene, left, top, through);
+  darken_ground(scene, left, top, transmittance);
   each([](const float& open, float& alpha) { alpha = 1 - open; });
 }
 
 /// Returns keys for the distances of the grid, which a stroke seldom moves, with a margin for what reaches beyond it.
 DistanceKeys keys_of(const RasterScene& scene) {
   constexpr float beyond = 0.25f;  // sizes
-  const GridPlace& grid = *scene.cells;
+  const GridLayout& grid = *scene.cells;
   const glm::vec3 half = 0.5f * grid.cell * glm::vec3(grid.size);
   const float radius = glm::length(half) + beyond;
   const float middle = glm::dot(grid.low + half - scene.camera.position, scene.camera.forward);
@@ -235,7 +237,7 @@ DistanceKeys keys_of(const RasterScene& scene) {
 
 }  // namespace
 
-struct Raster::Kept {
+struct Raster::Cache {
   RasterOptics optics;
   DensityGrid grid;
   NearCells near;
@@ -250,7 +252,7 @@ struct Raster::Kept {
   }
 };
 
-struct RasterRoom::Held {
+struct RasterScratch::Buffers {
   static constexpr std::size_t max_bytes = 64u << 20;  // kept from box to box; more is freed
 
   std::vector<Batch> batches;
@@ -263,23 +265,23 @@ struct RasterRoom::Held {
   }
 };
 
-RasterRoom::RasterRoom() : held_(std::make_unique<Held>()) {}
-RasterRoom::~RasterRoom() = default;
+RasterScratch::RasterScratch() : buffers_(std::make_unique<Buffers>()) {}
+RasterScratch::~RasterScratch() = default;
 
-Raster::Raster(int threads, std::shared_ptr<RasterRoom> room)
-    : threads_(threads), room_(std::move(room)), kept_(std::make_unique<Kept>()) {
+Raster::Raster(int threads, std::shared_ptr<RasterScratch> scratch)
+    : threads_(threads), scratch_(std::move(scratch)), cache_(std::make_unique<Cache>()) {
   assert(threads >= 1);
 }
 Raster::~Raster() = default;
 
-std::uint64_t Raster::version() const { return kept_->grid.version(); }
+std::uint64_t Raster::version() const { return cache_->grid.version(); }
 
 std::size_t Raster::bytes() const {
-  return kept_->grid.bytes() + kept_->near.bytes() + kept_->sky.hidden.size() * sizeof(float);
+  return cache_->grid.bytes() + cache_->near.bytes() + cache_->sky.hidden.size() * sizeof(float);
 }
 
 // Extends a box to whole tiles, so that what is drawn does not depend on how a picture is cut into boxes.
-PixelBox whole_tiles(const PixelBox& box, int width, int height) {
+PixelBox tile_aligned(const PixelBox& box, int width, int height) {
   const auto up = [](int at, int end) { return std::min((at + tile_side - 1) / tile_side * tile_side, end); };
   return {box.left / tile_side * tile_side, box.top / tile_side * tile_side, up(box.right, width),
           up(box.bottom, height)};
@@ -288,8 +290,8 @@ PixelBox whole_tiles(const PixelBox& box, int width, int height) {
 std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame, int pixels) {
   PixelBox all{0, 0, frame.width, frame.height};
   if (const std::optional<Crop>& crop = frame.crop)
-    all = whole_tiles({crop->left, crop->top, crop->left + crop->width, crop->top + crop->height}, frame.width,
-                      frame.height);
+    all = tile_aligned({crop->left, crop->top, crop->left + crop->width, crop->top + crop->height}, frame.width,
+                       frame.height);
   const int rows = std::max(pixels / (all.right - all.left) / tile_side, 1) * tile_side;
   std::vector<PixelBox> boxes;
   for (int top = all.top; top < all.bottom; top += rows)
@@ -299,8 +301,8 @@ std::vector<PixelBox> Raster::boxes_of(const FurFrame& frame, int pixels) {
 
 void Raster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts) const {
   const SkinPixels skin(scene, box, threads_);
-  std::vector<Batch>& batches = room_->held_->batches;
-  Bins& bins = room_->held_->bins;
+  std::vector<Batch>& batches = scratch_->buffers_->batches;
+  Bins& bins = scratch_->buffers_->bins;
   divide(scene.parts, batches), bins.begin(box, batches.size());
   place_and_bin(scene, box, skin, threads_, batches, bins);
   const int tiles = tiles_of(box).count();
@@ -308,25 +310,25 @@ void Raster::draw_box(const RasterScene& scene, const PixelBox& box, FloatImage&
   for (const Batch& batch : batches)
     counts.lit += batch.lit, counts.placed += std::max<std::size_t>(batch.placed.first.size(), 1) - 1;
   for (int tile = 0; tile < tiles; ++tile) counts.entries += bins.tile(tile).size();
-  const std::size_t bytes = room_->held_->bytes();
+  const std::size_t bytes = scratch_->buffers_->bytes();
   counts.bytes = std::max(counts.bytes, bytes);
-  if (bytes > RasterRoom::Held::max_bytes) *room_->held_ = {};
+  if (bytes > RasterScratch::Buffers::max_bytes) *scratch_->buffers_ = {};
 }
 
 void Raster::darken_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const {
-  if (!scene.ground || scene.shown != RasterOutput::light) return;
+  if (!scene.ground || scene.output != RasterOutput::light) return;
   for_each_in_parallel(
       static_cast<std::uint32_t>(tiles_of(box).count()),
       [&](std::uint32_t tile) { darken_tile(scene, box, static_cast<int>(tile), picture); }, threads_);
 }
 
 RasterScene Raster::bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin,
-                                  const FurFrame& frame, RasterOutput shown) {
+                                  const FurFrame& frame, RasterOutput output) {
   RasterScene scene;
-  scene.optics = kept_->optics.of(frame, model);
+  scene.optics = cache_->optics.of(frame, model);
   scene.width = frame.width, scene.height = frame.height;
   scene.oversampling = static_cast<float>(std::max(frame.knobs.scale, 1.0));
-  scene.camera = picture_camera(frame), scene.shown = shown;
+  scene.camera = picture_camera(frame), scene.output = output;
   for (std::size_t k = 0; k < frame.eyes.size(); ++k)
     scene.eyes.push_back(eye_camera(scene.optics.eyes.block.eyes[k], frame.camera, scene.optics.frame.world_to_clip,
                                     {frame.width, frame.height}));
@@ -336,30 +338,30 @@ RasterScene Raster::bare_scene_of(const FurModel& model, std::span<const std::ar
 }
 
 RasterScene Raster::scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame,
-                             const RasterQuality& quality, RasterOutput shown) {
-  RasterScene scene = bare_scene_of(model, fur.skin(), frame, shown);
+                             const RasterQuality& quality, RasterOutput output) {
+  RasterScene scene = bare_scene_of(model, fur.skin(), frame, output);
   scene.quality = quality, scene.parts = fur.parts(), scene.bend = fur.bend(), scene.coats = frame.coats;
-  scene.cells = grid_place(scene.parts), scene.lights = frame.lights;
+  scene.cells = grid_layout(scene.parts), scene.lights = frame.lights;
   if (frame.ground && frame.ground->height < frame.camera.position.y) scene.ground = frame.ground;
   scene.keys = keys_of(scene);
   return scene;
 }
 
 void Raster::fill_cells(RasterScene& scene) {
-  kept_->grid.update(*scene.model, scene.parts, scene.lights, threads_);
-  scene.grid = &kept_->grid;
+  cache_->grid.update(*scene.model, scene.parts, scene.lights, threads_);
+  scene.grid = &cache_->grid;
   if (scene.ground) {
-    kept_->update_sky(*scene.model, scene.ground->height, threads_);
-    scene.sky = &kept_->sky;
+    cache_->update_sky(*scene.model, scene.ground->height, threads_);
+    scene.sky = &cache_->sky;
   }
-  kept_->near.update(scene, kept_->grid.version(), threads_);
-  scene.near = &kept_->near;
+  cache_->near.update(scene, cache_->grid.version(), threads_);
+  scene.near = &cache_->near;
 }
 
 FloatImage Raster::draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                        RasterCounts* counts, RasterOutput shown) {
+                        RasterCounts* counts, RasterOutput output) {
   RasterCounts counted;
-  RasterScene scene = scene_of(model, fur, frame, quality, shown);
+  RasterScene scene = scene_of(model, fur, frame, quality, output);
   fill_cells(scene);
   auto picture = empty_picture<FloatImage>(frame.width, frame.height);
   for (const PixelBox& box : boxes_of(frame)) {

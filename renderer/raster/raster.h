@@ -24,29 +24,29 @@ struct RasterCounts {
 };
 
 /// Scratch memory for placed strands, reused from box to box.
-class RasterRoom {
+class RasterScratch {
  public:
-  RasterRoom();
-  ~RasterRoom();
+  RasterScratch();
+  ~RasterScratch();
 
  private:
   friend class Raster;
-  struct Held;
-  std::unique_ptr<Held> held_;
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers_;
 };
 
 /// Belongs to one thread; draws on up to `threads` threads, with the same bits for any number.
 class Raster {
  public:
-  /// Several rasterizers on one thread may share `room`.
-  explicit Raster(int threads, std::shared_ptr<RasterRoom> room = std::make_shared<RasterRoom>());
+  /// Several rasterizers on one thread may share `scratch`.
+  explicit Raster(int threads, std::shared_ptr<RasterScratch> scratch = std::make_shared<RasterScratch>());
   ~Raster();
 
-  /// Draws premultiplied linear light of the skin and its strands, or the output `shown`. Alpha is their coverage, and
+  /// Draws premultiplied linear light of the skin and its strands, or `output`. Alpha is their coverage, and
   /// for light also the ground's darkening. With a crop the picture still has the frame's size; inside the crop it has
   /// the same bits as the whole frame.
   FloatImage draw(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                  RasterCounts* counts = nullptr, RasterOutput shown = RasterOutput::light);
+                  RasterCounts* counts = nullptr, RasterOutput output = RasterOutput::light);
 
   /// Returns the bytes of memory that are kept from picture to picture.
   std::size_t bytes() const;
@@ -59,24 +59,24 @@ class Raster {
   static std::vector<PixelBox> boxes_of(const FurFrame& frame, int pixels = 1 << 20);
   /// Returns what a frame is drawn from, with views of the arguments and of this object; valid until the next call.
   RasterScene scene_of(const FurModel& model, const GrownFur& fur, const FurFrame& frame, const RasterQuality& quality,
-                       RasterOutput shown);
+                       RasterOutput output);
   /// Computes the shadows of a scene: the density grid, the near cells and the sky over the ground. Call it before
   /// drawing the scene with this object.
   void fill_cells(RasterScene& scene);
   /// Returns a scene of the skin and the eyes alone, in unshadowed light. `skin`: the look of the three corners of each
   /// triangle of the model.
   RasterScene bare_scene_of(const FurModel& model, std::span<const std::array<SkinLook, 3>> skin, const FurFrame& frame,
-                            RasterOutput shown);
+                            RasterOutput output);
   /// Draws a box into a picture of the frame's size, without the ground.
   void draw_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts) const;
   /// Darkens the pixels of a drawn box that show the ground.
   void darken_box(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
 
  private:
-  struct Kept;  // what is cached from frame to frame
+  struct Cache;  // what is cached from frame to frame
   int threads_;
-  std::shared_ptr<RasterRoom> room_;
-  std::unique_ptr<Kept> kept_;
+  std::shared_ptr<RasterScratch> scratch_;
+  std::unique_ptr<Cache> cache_;
 };
 
 }  // namespace pelage

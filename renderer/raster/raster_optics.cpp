@@ -25,10 +25,10 @@ std::array<float, slice_count> strands_above(const Coat& coat) {
   }
   std::array<float, slice_count> above{};
   const double over = nominal_length / slice_count / (coat.tile * coat.tile);
-  double whole = 0;
+  double total = 0;
   for (std::size_t i = slice_count; i-- > 0;) {
-    above[i] = static_cast<float>((whole + 0.5 * sum[i]) * over);
-    whole += sum[i];
+    above[i] = static_cast<float>((total + 0.5 * sum[i]) * over);
+    total += sum[i];
   }
   return above;
 }
@@ -45,8 +45,8 @@ FrameOptics RasterOptics::of(const FurFrame& frame, const FurModel& model) {
       make_frame_block(frame, Slices{std::vector<SliceLevel>(slice_levels), above_}, model.has_colours, frame.height);
   optics.scattering = scattering_, optics.azimuthal = &azimuthal_;
   optics.model = static_cast<int>(frame.look.shading), optics.lights = static_cast<int>(frame.lights.size());
-  optics.far_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
-                                  [](const FurLight& light) { return light.kind == LightKind::directional; });
+  optics.directional_lights = std::all_of(frame.lights.begin(), frame.lights.end(),
+                                          [](const FurLight& light) { return light.kind == LightKind::directional; });
   optics.model_colours = optics.frame.skin.w > 0.5f;
   if (!frame.skin.empty()) optics.skin = make_skin_block(frame.skin);
   if (!frame.eyes.empty() && !eyes_) eyes_.emplace();

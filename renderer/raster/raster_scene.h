@@ -38,7 +38,7 @@ enum class RasterOutput {
   normal,    // normal of the skin; for a strand, at its root
   tangent,   // tangent of strands, towards the tip
   direct,    // light from lights alone, without the environment
-  piece,     // red: index of the visible triangle of the model; skin alone
+  triangle,  // red: index of the visible triangle of the model; skin alone
   field,     // RasterScene::field at a strand's root or on the skin
   shadow,    // red: luminance of direct light, green: the same without shadows
   distance,  // red: distance along the view
@@ -48,13 +48,13 @@ enum class RasterOutput {
   objects    // red, green, blue: coverage of three objects, RasterScene::first_object and the next two
 };
 /// Returns whether an output is proportional to the colour of strands.
-constexpr bool is_coloured(RasterOutput shown) {
-  return shown == RasterOutput::light || shown == RasterOutput::direct || shown == RasterOutput::albedo;
+constexpr bool is_coloured(RasterOutput output) {
+  return output == RasterOutput::light || output == RasterOutput::direct || output == RasterOutput::albedo;
 }
 /// Returns whether strands have a value of the output at each knot (PlacedKnot::light), such as light or a normal.
-constexpr bool sends(RasterOutput shown) {
-  return shown != RasterOutput::piece && shown != RasterOutput::distance && shown != RasterOutput::depth &&
-         shown != RasterOutput::count && shown != RasterOutput::strand;
+constexpr bool has_knot_values(RasterOutput output) {
+  return output != RasterOutput::triangle && output != RasterOutput::distance && output != RasterOutput::depth &&
+         output != RasterOutput::count && output != RasterOutput::strand;
 }
 
 /// Returns the number of a part's coat in pictures: its CoatId plus 1; limits::coats + 1 for curves.
@@ -100,7 +100,7 @@ struct RasterScene {
   float oversampling = 1;     // pixels of the picture along a side of a shown pixel, at least 1: sets the skin's detail
   PictureCamera camera;
   RasterQuality quality;
-  RasterOutput shown = RasterOutput::light;
+  RasterOutput output = RasterOutput::light;
   const FurModel* model = nullptr;  // never null
   std::span<const GrownPart> parts;
   FurBend bend;                                   // bend that the strands of the parts still need; for the GPU
@@ -110,7 +110,7 @@ struct RasterScene {
   std::span<const glm::vec3> field;               // for each vertex; RasterOutput::field alone
   std::size_t first_object = 0;                   // first of the three that RasterOutput::objects shows
   std::span<const NamedCoat> coats;               // FurFrame::coats, to which the parts belong
-  std::optional<GridPlace> cells;                 // grid of the shadows; none if nothing casts any
+  std::optional<GridLayout> cells;                // grid of the shadows; none if nothing casts any
   std::span<const FurLight> lights;               // lights with shadows
   // Shadows on the CPU: of fur and body, and of single strands of parts that are near.
   const DensityGrid* grid = nullptr;

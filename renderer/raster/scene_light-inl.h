@@ -54,22 +54,22 @@ struct SceneLight : FrameLight, FibreScattering {
   HWY_INLINE Crossing crossed_cell(Index light, Real first, int further) const {
     const auto* words = reinterpret_cast<const std::int32_t*>(scene.grid->crossed(light).data());
     const Int word = gather(words + further, to_int(first));
-    return {to_real(hn::And(word, whole(0xffff))), to_real(hn::ShiftRight<16>(word))};
+    return {to_real(hn::And(word, splat(0xffff))), to_real(hn::ShiftRight<16>(word))};
   }
   /// Returns how much strands cover of the near cell with these whole coordinates, in steps of 1 / near_one.
   HWY_INLINE Real near_count(Vec3 cell) const {
     const auto* cells = reinterpret_cast<const std::int32_t*>(scene.near->cells().data());
-    const auto part = [](Real along, int factor) HWY_ATTR { return hn::Mul(to_int(along), whole(factor)); };
+    const auto part = [](Real along, int factor) HWY_ATTR { return hn::Mul(to_int(along), splat(factor)); };
     const Int hashed = hn::Xor3(part(cell.x, near_of_x), part(cell.y, near_of_y), part(cell.z, near_of_z));
-    const Int index = hn::And(hashed, whole(near_places - 1));
+    const Int index = hn::And(hashed, splat(near_entries - 1));
     const Int pair = gather(cells, hn::ShiftRight<1>(index));
-    return to_real(hn::And(hn::Shr(pair, hn::ShiftLeft<4>(hn::And(index, whole(1)))), whole(0xffff)));
+    return to_real(hn::And(hn::Shr(pair, hn::ShiftLeft<4>(hn::And(index, splat(1)))), splat(0xffff)));
   }
   HWY_INLINE Real sky_hidden_at(Real first, int further) const {
     return gather(scene.sky->hidden.data() + further, to_int(first));
   }
   float light_radius(Index light) const { return scene.light_sizes[light].radius; }
-  bool is_far_light(Index light) const { return scene.light_sizes[light].far; }
+  bool is_directional(Index light) const { return scene.light_sizes[light].far; }
   /// Returns a point of a spiral that covers the unit disc evenly (Vogel 1979).
   static glm::vec2 disc_tap(int tap) {
     const float angle = 2.399963f * static_cast<float>(tap);

@@ -17,7 +17,7 @@ namespace pelage::HWY_NAMESPACE {
 using ColourTag = hn::CappedTag<float, 4>;
 using Colour = hn::Vec<ColourTag>;
 
-/// Returns unpack_colour of a word, its channels in a register, plus over_black, so that one can divide by black.
+/// Returns unpack_colour of a word, its channels in a register, plus black_offset, so that one can divide by black.
 HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   const ColourTag tag;
   const hn::RebindToSigned<ColourTag> words;
@@ -25,7 +25,7 @@ HWY_INLINE Colour colour_over_black(std::uint32_t packed) {
   HWY_ALIGN constexpr float over_largest[4] = {2.0f / 1023, 2.0f / (1023 << 10), 2.0f / (1023 << 20), 0};
   const auto bits = hn::And(hn::Set(words, static_cast<std::int32_t>(packed)), hn::Load(words, of_channel));
   const Colour share = hn::Mul(hn::ConvertTo(tag, bits), hn::Load(tag, over_largest));
-  return hn::MulAdd(share, share, hn::Set(tag, over_black));
+  return hn::MulAdd(share, share, hn::Set(tag, black_offset));
 }
 
 /// The colours of a strand's knots, and the factor on all of them.
@@ -53,7 +53,7 @@ struct LightAlong {
 
   /// Returns the position of a knot among the points. It ends one beyond the tip: the tip of a taller strand gets more
   /// light than that of the lit strand.
-  HWY_INLINE float place_of(int knot) const {
+  HWY_INLINE float point_coordinate(int knot) const {
     return std::clamp(first + static_cast<float>(knot) * step, 0.0f, static_cast<float>(points.size()));
   }
   /// Returns the light of a point. The point after the tip holds how much more light the tip has than the point before
@@ -79,16 +79,16 @@ struct LightAlong {
 /// strand between its ends, however few are drawn. For each point, its ends differ as the light at their own positions
 /// does, but no end gets a negative share of a point. So light stays positive and linear in the lights.
 template <bool by_colour>
-class PieceLight {
+class SegmentLight {
  public:
-  HWY_INLINE PieceLight(const LightAlong<by_colour>& light, int begin, int end)
-      : light_(light), begin_place_(light.place_of(begin)), end_place_(light.place_of(end)) {
+  HWY_INLINE SegmentLight(const LightAlong<by_colour>& light, int begin, int end)
+      : light_(light), begin_coordinate_(light.point_coordinate(begin)), end_coordinate_(light.point_coordinate(end)) {
     begin_colour_ = light.colour_of(begin), end_colour_ = light.colour_of(end);
     const float share = 1 / static_cast<float>(end - begin);
-    low_ = std::min(static_cast<int>(begin_place_), static_cast<int>(light.points.size()) - 1);
-    add(begin_place_, 0.5f * share, begin_colour_);
-    for (int k = begin + 1; k < end; ++k) add(light.place_of(k), share, light.colour_of(k));
-    add(end_place_, 0.5f * share, end_colour_);
+    low_ = std::min(static_cast<int>(begin_coordinate_), static_cast<int>(light.points.size()) - 1);
+    add(begin_coordinate_, 0.5f * share, begin_colour_);
+    for (int k = begin + 1; k < end; ++k) add(light.point_coordinate(k), share, light.colour_of(k));
+    add(end_coordinate_, 0.5f * share, end_colour_);
     next_point();
     const bool ends_beyond = low_ == static_cast<int>(light_.points.size());
     if (!ends_beyond) next_point();
@@ -111,7 +111,8 @@ class PieceLight {
   /// Adds the light of the point `low_` to both ends, and goes on to the next point.
   HWY_INLINE void next_point() {
     const auto half = [this](float place) { return hn::Set(tag, 0.5f * light_.share_of(low_, place)); };
-    const Colour at_own = hn::MulSub(begin_colour_, half(begin_place_), hn::Mul(end_colour_, half(end_place_)));
+    const Colour at_own =
+        hn::MulSub(begin_colour_, half(begin_coordinate_), hn::Mul(end_colour_, half(end_coordinate_)));
     const Colour tilt = hn::Clamp(at_own, hn::Neg(mean_), mean_), light = light_.light_of(low_);
     at_begin = hn::MulAdd(hn::Add(mean_, tilt), light, at_begin);
     at_end = hn::MulAdd(hn::Sub(mean_, tilt), light, at_end);
@@ -122,9 +123,9 @@ class PieceLight {
   /// Makes light that is the same at all points also the same at both ends: moves what the clamps gave to the wrong
   /// end.
   HWY_INLINE void even_out() {
-    const Colour zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), least = hn::Set(tag, 1e-12f);
+    const Colour zero = hn::Zero(tag), one = hn::Set(tag, 1.0f), tiny = hn::Set(tag, 1e-12f);
     const Colour missing = hn::Sub(wanted_, tilt_);  // at the begin, over all points
-    const auto share = [&](Colour part, Colour of) { return hn::Clamp(hn::Div(part, hn::Max(of, least)), zero, one); };
+    const auto share = [&](Colour part, Colour of) { return hn::Clamp(hn::Div(part, hn::Max(of, tiny)), zero, one); };
     const Colour from_end = hn::Mul(share(missing, hn::Sub(all_, tilt_)), at_end),
                  from_begin = hn::Mul(share(hn::Neg(missing), hn::Add(all_, tilt_)), at_begin);
     at_begin = hn::Add(at_begin, hn::Sub(from_end, from_begin));
@@ -132,7 +133,7 @@ class PieceLight {
   }
 
   const LightAlong<by_colour>& light_;
-  float begin_place_, end_place_;
+  float begin_coordinate_, end_coordinate_;
   Colour begin_colour_, end_colour_;
   Colour mean_ = hn::Zero(tag), next_mean_ = hn::Zero(tag);  // mean weight of the point, and of the one after it
   // Sums over the points so far: of mean weights, and of how the begin's weight differs from the mean, before and after
@@ -153,14 +154,14 @@ HWY_INLINE void hand_on(const LightAlong<by_colour>& light, std::span<const floa
   const auto knot_at = [&](std::size_t k) { return static_cast<int>(along[k] * segments + 0.5f); };
   const auto keep = [&](std::size_t k, Colour before, Colour after) {
     const Colour mean = hn::Mul(hn::Add(before, after), hn::Set(light.tag, 0.5f));
-    const Colour kept = hn::Clamp(mean, hn::Set(light.tag, by_colour ? 0 : -max_half), hn::Set(light.tag, max_half));
-    hn::StoreU(hn::DemoteTo(halves, kept), halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
+    const Colour clamped = hn::Clamp(mean, hn::Set(light.tag, by_colour ? 0 : -max_half), hn::Set(light.tag, max_half));
+    hn::StoreU(hn::DemoteTo(halves, clamped), halves, reinterpret_cast<hwy::float16_t*>(knots[k].light.data()));
   };
   Colour before = hn::Zero(light.tag);
   for (std::size_t k = 1; k < along.size(); ++k) {
-    const PieceLight<by_colour> piece(light, knot_at(k - 1), knot_at(k));
-    keep(k - 1, k == 1 ? piece.at_begin : before, piece.at_begin);
-    before = piece.at_end;
+    const SegmentLight<by_colour> segment(light, knot_at(k - 1), knot_at(k));
+    keep(k - 1, k == 1 ? segment.at_begin : before, segment.at_begin);
+    before = segment.at_end;
   }
   keep(along.size() - 1, before, before);
 }
@@ -178,11 +179,12 @@ HWY_INLINE KnotColours knot_colours(const StrandSet& set, std::uint32_t strand, 
 template <bool by_colour>
 HWY_INLINE void hand_on_all(const StrandSet& set, const LightSources& sources, std::size_t first,
                             PlacedStrands& placed) {
-  const std::size_t whole = sources.whole.light.size() / static_cast<std::size_t>(sources.whole.count);
+  const std::size_t from_root = sources.from_root.light.size() / static_cast<std::size_t>(sources.from_root.count);
   for (std::size_t i = 0; i < sources.ids.size(); ++i) {
     const std::size_t lit = sources.lit[i];
-    const LitPoints& points = lit < whole ? sources.whole : sources.rest;
-    const glm::vec4* light = &points.light[(lit < whole ? lit : lit - whole) * static_cast<std::size_t>(points.count)];
+    const LitPoints& points = lit < from_root ? sources.from_root : sources.upper_part;
+    const glm::vec4* light =
+        &points.light[(lit < from_root ? lit : lit - from_root) * static_cast<std::size_t>(points.count)];
     const float taller = set.roots[sources.ids[i]].reach / std::max(set.roots[sources.from[i]].reach, 1e-3f);
     const std::uint32_t begin = placed.first[first + i], end = placed.first[first + i + 1];
     const LightAlong<by_colour> along(points, light, knot_colours(set, sources.ids[i], sources.own_colour), taller);

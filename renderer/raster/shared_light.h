@@ -21,8 +21,8 @@ class SharedLight {
 
  private:
   // Strands that are lit; for each of `ids` its lit strand, and that one's index in lit_; index in lit_ of each strand.
-  std::vector<std::uint32_t> lit_, of_, at_, place_;
-  LitPoints whole_, rest_;
+  std::vector<std::uint32_t> lit_, sources_, source_indices_, lit_indices_;
+  LitPoints from_root_, upper_part_;
 };
 
 }  // namespace pelage

@@ -20,7 +20,7 @@ namespace {
 struct FlatTriangle {
   std::array<glm::dvec2, 3> at{};
   glm::dvec3 inverse{0};
-  std::uint32_t piece = 0;
+  std::uint32_t triangle = 0;
 };
 
 glm::dvec3 in_camera(const PictureCamera& camera, glm::vec3 place) {
@@ -41,26 +41,26 @@ FlatCorner flat(const PictureCamera& camera, const glm::dvec3& corner) {
   return {{camera.middle.x + corner.x * scale, camera.middle.y - corner.y * scale}, inverse};
 }
 
-FlatTriangle triangle_of(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c, std::uint32_t piece) {
-  return {{a.at, b.at, c.at}, {a.inverse, b.inverse, c.inverse}, piece};
+FlatTriangle triangle_of(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c, std::uint32_t triangle) {
+  return {{a.at, b.at, c.at}, {a.inverse, b.inverse, c.inverse}, triangle};
 }
 
 /// Clips a triangle at near_distance (Sutherland and Hodgman 1974). Returns the number of triangles left: up to two.
-std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t piece,
+std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t triangle,
                     std::array<FlatTriangle, 2>& triangles) {
-  constexpr double least = near_distance;
+  constexpr double min_depth = near_distance;
   std::array<glm::dvec3, 4> kept;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 &a = corners[i], &b = corners[(i + 1) % 3];
-    if (a.z >= least) kept[count++] = a;
-    if ((a.z >= least) != (b.z >= least)) {
-      kept[count] = a + (b - a) * ((least - a.z) / (b.z - a.z));
-      kept[count++].z = least;
+    if (a.z >= min_depth) kept[count++] = a;
+    if ((a.z >= min_depth) != (b.z >= min_depth)) {
+      kept[count] = a + (b - a) * ((min_depth - a.z) / (b.z - a.z));
+      kept[count++].z = min_depth;
     }
   }
   for (std::size_t i = 2; i < count; ++i)
-    triangles[i - 2] = triangle_of(flat(camera, kept[0]), flat(camera, kept[i - 1]), flat(camera, kept[i]), piece);
+    triangles[i - 2] = triangle_of(flat(camera, kept[0]), flat(camera, kept[i - 1]), flat(camera, kept[i]), triangle);
   return count < 3 ? 0 : count - 2;
 }
 
@@ -100,8 +100,9 @@ std::vector<std::vector<FlatTriangle>> flat_triangles(const RasterScene& scene, 
     const glm::uvec3 t = model.triangles[i];
     const FlatCorner &a = corners[t.x], &b = corners[t.y], &c = corners[t.z];
     std::array<FlatTriangle, 2> found{triangle_of(a, b, c, i), {}};
-    const bool whole = a.inverse > 0 && b.inverse > 0 && c.inverse > 0;
-    const std::size_t count = whole ? 1 : clipped(scene.camera, {in_view(t.x), in_view(t.y), in_view(t.z)}, i, found);
+    const bool unclipped = a.inverse > 0 && b.inverse > 0 && c.inverse > 0;
+    const std::size_t count =
+        unclipped ? 1 : clipped(scene.camera, {in_view(t.x), in_view(t.y), in_view(t.z)}, i, found);
     for (std::size_t k = 0; k < count; ++k)
       if (meets_pixel(found[k], box)) batches[batch].push_back(found[k]);
   });
@@ -144,8 +145,8 @@ TilePlanes planes_over(const FlatTriangle& t, int left, int top) {
   glm::dvec3 at(0), across(0), down(0);
   for (int i = 0; i < 3; ++i) {
     const glm::dvec2 &a = t.at[static_cast<std::size_t>((i + 1) % 3)], &b = t.at[static_cast<std::size_t>((i + 2) % 3)];
-    const glm::dvec2 way = (b - a) / area, off = first - a;
-    at[i] = way.x * off.y - way.y * off.x, across[i] = -way.y, down[i] = way.x;
+    const glm::dvec2 edge = (b - a) / area, off = first - a;
+    at[i] = edge.x * off.y - edge.y * off.x, across[i] = -edge.y, down[i] = edge.x;
     planes.share[static_cast<std::size_t>(i)] = {static_cast<float>(at[i]), static_cast<float>(across[i]),
                                                  static_cast<float>(down[i])};
   }
@@ -170,7 +171,7 @@ std::pair<int, int> covered_pixels(const TilePlanes& planes, int y, int first, i
           std::min(static_cast<int>(std::floor(high + overlap)) + 1, end)};
 }
 
-void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, std::uint32_t* piece) {
+void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, std::uint32_t* triangle) {
   const TilePlanes planes = planes_over(t, left, top);
   if (!planes.there) return;
   const auto [x0, x1] = std::minmax({t.at[0].x, t.at[1].x, t.at[2].x});
@@ -178,14 +179,14 @@ void raster_triangle(const FlatTriangle& t, int left, int top, float* inverse, s
   const auto pixel = [](double at, int first) {
     return static_cast<int>(std::clamp(std::floor(at - first), 0.0, tile_side - 1.0));
   };
-  const int left_most = pixel(x0, left), right_most = pixel(x1, left) + 1;
+  const int begin_x = pixel(x0, left), end_x = pixel(x1, left) + 1;
   for (int y = pixel(y0, top); y <= pixel(y1, top); ++y) {
-    const auto [first, end] = covered_pixels(planes, y, left_most, right_most);
+    const auto [first, end] = covered_pixels(planes, y, begin_x, end_x);
     float found = planes.inverse.at + planes.inverse.down * static_cast<float>(y) +
                   planes.inverse.across * static_cast<float>(first);
     for (int x = first; x < end; ++x, found += planes.inverse.across) {
       const auto at = static_cast<std::size_t>(pixel_in_tile(x, y));
-      if (found > inverse[at]) inverse[at] = found, piece[at] = t.piece;
+      if (found > inverse[at]) inverse[at] = found, triangle[at] = t.triangle;
     }
   }
 }
@@ -224,15 +225,15 @@ float furthest_of_block(const float* inverse, int left, int top) {
 
 float* SkinPixels::add_eyes(const RasterScene& scene, std::uint32_t tile, int left, int top) {
   const std::size_t first = std::size_t{tile} * tile_pixels;
-  const std::span<float> ends = std::span(with_eyes_).subspan(first, tile_pixels);
-  std::copy_n(&inverse[first], tile_pixels, ends.begin());
-  meet_eyes(scene, left, top, ends, std::span(eyes).subspan(first, tile_pixels));
-  return ends.data();
+  const std::span<float> background_inverse = std::span(with_eyes_).subspan(first, tile_pixels);
+  std::copy_n(&inverse[first], tile_pixels, background_inverse.begin());
+  intersect_eyes(scene, left, top, background_inverse, std::span(eyes).subspan(first, tile_pixels));
+  return background_inverse.data();
 }
 
 /// Takes the minimum along rows, then along columns.
-void SkinPixels::spread_hidden(int across, int down) {
-  constexpr int blocks_around = hidden_around / hiding_side;
+void SkinPixels::dilate_hidden(int across, int down) {
+  constexpr int blocks_around = hiding_radius / hiding_side;
   const auto spread_row = [](const float* from, std::ptrdiff_t step, int count, float* to) {
     for (int i = 0; i < count; ++i) {
       float around = i < blocks_around || i + blocks_around >= count ? 0.0f : std::numeric_limits<float>::max();
@@ -252,7 +253,7 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
   constexpr int blocks = tile_side / hiding_side;
   const TileRows tiles = tiles_of(box);
   const auto count = static_cast<std::size_t>(tiles.count());
-  inverse.assign(count * tile_pixels, 0), piece.assign(count * tile_pixels, 0);
+  inverse.assign(count * tile_pixels, 0), triangle.assign(count * tile_pixels, 0);
   furthest.assign(count, 0), hidden.assign(count * blocks * blocks, 0);
   if (!scene.eyes.empty()) eyes.assign(count * tile_pixels, -1), with_eyes_.resize(count * tile_pixels);
   const std::vector<std::vector<FlatTriangle>> triangles = flat_triangles(scene, box, threads);
@@ -261,9 +262,9 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
     const int x = static_cast<int>(tile) % tiles.across, y = static_cast<int>(tile) / tiles.across;
     const int left = box.left + x * tile_side, top = box.top + y * tile_side;
     float* at = &inverse[std::size_t{tile} * tile_pixels];
-    std::uint32_t* pieces = &piece[std::size_t{tile} * tile_pixels];
+    std::uint32_t* tile_triangles = &triangle[std::size_t{tile} * tile_pixels];
     for (std::uint32_t i = by.first[tile]; i < by.first[tile + 1]; ++i)
-      raster_triangle(*by.order[i], left, top, at, pieces);
+      raster_triangle(*by.order[i], left, top, at, tile_triangles);
     if (!eyes.empty()) at = add_eyes(scene, tile, left, top);
     const bool drawn = !scene.drawn || scene.drawn->has(left, top);
     furthest[tile] = drawn ? *std::min_element(at, at + tile_pixels) : std::numeric_limits<float>::max();
@@ -274,7 +275,7 @@ SkinPixels::SkinPixels(const RasterScene& scene, const PixelBox& box, int thread
     }
   };
   for_each_in_parallel(static_cast<std::uint32_t>(count), raster_tile, threads);
-  spread_hidden(tiles.across * blocks, tiles.down * blocks);
+  dilate_hidden(tiles.across * blocks, tiles.down * blocks);
 }
 
 }  // namespace pelage

@@ -21,12 +21,12 @@ HWY_INLINE Vec3 gather_vec3(const float* from, Int index) {
 
 /// A position on a triangle of the model in each lane. mix() interpolates values of the three corners, which lie
 /// `stride` floats apart from `first` on.
-struct PieceCorners {
-  Int piece;  // triangle of the model
-  Real b, c;  // barycentrics of the second and the third corner
+struct TriangleCorners {
+  Int triangle;  // triangle of the model
+  Real b, c;     // barycentrics of the second and the third corner
 
   HWY_INLINE Real mix(const float* first, int stride) const {
-    const Int at = hn::Mul(piece, whole(3 * stride));
+    const Int at = hn::Mul(triangle, splat(3 * stride));
     const Real a = gather(first, at);
     return a + b * (gather(first + stride, at) - a) + c * (gather(first + 2 * stride, at) - a);
   }
@@ -37,8 +37,8 @@ struct PieceCorners {
 
 /// The visible point of the skin in each lane.
 struct SkinLanes {
-  SceneLight::SkinPlace at;
-  PieceCorners corners;
+  SceneLight::SkinPoint at;
+  TriangleCorners corners;
 };
 
 inline constexpr int corner_stride = sizeof(FurCorner) / sizeof(float), look_stride = sizeof(SkinLook) / sizeof(float);
@@ -48,14 +48,14 @@ HWY_INLINE const float* corner_floats(const FurModel& model, std::size_t offset)
 }
 
 /// Returns the model's own colour. `pixel` is the size of a pixel there, sizes, and `area` twice the triangle's area.
-HWY_INLINE Vec3 own_colour(const RasterScene& scene, const PieceCorners& corners, Real pixel, Real area) {
+HWY_INLINE Vec3 own_colour(const RasterScene& scene, const TriangleCorners& corners, Real pixel, Real area) {
   const FrameOptics& optics = scene.optics;
   if (!optics.model_colours) return Vec3(optics.frame.skin);
   const FurModel& model = *scene.model;
   const Vec3 colour = max(corners.mix3(corner_floats(model, offsetof(FurCorner, colour)), corner_stride), 0.0f);
   if (!optics.images) return colour;
   const float* uv = corner_floats(model, offsetof(FurCorner, image_uv));
-  const Int at = hn::Mul(corners.piece, whole(3 * corner_stride));
+  const Int at = hn::Mul(corners.triangle, splat(3 * corner_stride));
   const auto side = [&](int k, int axis)
                         HWY_ATTR { return gather(uv + k * corner_stride + axis, at) - gather(uv + axis, at); };
   const Real on_image = abs(side(1, 0) * side(2, 1) - side(1, 1) * side(2, 0));
@@ -66,29 +66,29 @@ HWY_INLINE Vec3 own_colour(const RasterScene& scene, const PieceCorners& corners
 
 HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, int at) {
   const FurModel& model = *scene.model;
-  PieceCorners corners;
-  corners.piece = hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(seen.piece + at));
-  const Int first = hn::Mul(corners.piece, whole(3));
+  TriangleCorners corners;
+  corners.triangle = hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(seen.triangle + at));
+  const Int first = hn::Mul(corners.triangle, splat(3));
   const auto* vertices = reinterpret_cast<const std::int32_t*>(model.triangles.data());
   Vec3 place[3], normal[3];
   for (int k = 0; k < 3; ++k) {
-    const Int vertex = hn::Mul(gather(vertices + k, first), whole(3));
+    const Int vertex = hn::Mul(gather(vertices + k, first), splat(3));
     place[k] = gather_vec3(&model.positions[0].x, vertex), normal[k] = gather_vec3(&model.normals[0].x, vertex);
     const float* shading = corner_floats(model, offsetof(FurCorner, normal)) + k * corner_stride;
-    const Vec3 other = gather_vec3(shading, hn::Mul(corners.piece, whole(3 * corner_stride)));
+    const Vec3 other = gather_vec3(shading, hn::Mul(corners.triangle, splat(3 * corner_stride)));
     normal[k] = select(dot(other, other) > 0.0f, other, normal[k]);
   }
-  const Vec3 way = ray_through(scene.camera, load(seen.x + at), load(seen.y + at));
-  const Real distance = 1.0f / max(load(seen.inverse + at), 1e-20f), size = length(way);
-  SceneLight::SkinPlace skin;
-  skin.place = Vec3(scene.camera.position) + way * distance, skin.to_camera = way * (-1.0f / size);
+  const Vec3 ray = ray_through(scene.camera, load(seen.x + at), load(seen.y + at));
+  const Real distance = 1.0f / max(load(seen.inverse + at), 1e-20f), size = length(ray);
+  SceneLight::SkinPoint skin;
+  skin.place = Vec3(scene.camera.position) + ray * distance, skin.to_camera = ray * (-1.0f / size);
   skin.pixel = scene.optics.frame.viewpoint.w * scene.oversampling * distance * size;
   const Vec3 across = cross(place[1] - place[0], place[2] - place[0]);
   const Real square = max(dot(across, across), 1e-30f);
   corners.b = clamp(dot(cross(skin.place - place[0], place[2] - place[0]), across) / square, 0.0f, 1.0f);
   corners.c = clamp(dot(cross(place[1] - place[0], skin.place - place[0]), across) / square, 0.0f, 1.0f - corners.b);
   skin.normal = unit(normal[0] + corners.b * (normal[1] - normal[0]) + corners.c * (normal[2] - normal[0]));
-  skin.normal = select(dot(across, way) > 0.0f, -skin.normal, skin.normal);
+  skin.normal = select(dot(across, ray) > 0.0f, -skin.normal, skin.normal);
   skin.colour = own_colour(scene, corners, skin.pixel, sqrt(square));
   static_assert(sizeof(SkinLook) == 6 * sizeof(float));
   const float* look = &scene.skin[0][0].under.x;
@@ -98,15 +98,15 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
 }
 
 /// Returns what the scene shows of the skin.
-HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real inverse) {
+HWY_INLINE Vec3 output_value(const RasterScene& scene, const SkinLanes& skin, Real inverse) {
   const Real none = 0.0f;
-  switch (scene.shown) {
+  switch (scene.output) {
     case RasterOutput::distance: return {1.0f / max(inverse, 1e-12f), none, none};
     case RasterOutput::depth: return {inverse, none, none};
     case RasterOutput::normal: return skin.at.normal;
-    case RasterOutput::piece: return {to_real(skin.corners.piece), none, none};
-    case RasterOutput::field: return field_at(scene, skin.corners.piece, skin.corners.b, skin.corners.c);
-    case RasterOutput::objects: return shown_object(scene, skin_object);
+    case RasterOutput::triangle: return {to_real(skin.corners.triangle), none, none};
+    case RasterOutput::field: return field_at(scene, skin.corners.triangle, skin.corners.b, skin.corners.c);
+    case RasterOutput::objects: return object_mask(scene, skin_object);
     case RasterOutput::tangent:
     case RasterOutput::count:
     case RasterOutput::strand: return Vec3(none);
@@ -114,13 +114,13 @@ HWY_INLINE Vec3 shown_of(const RasterScene& scene, const SkinLanes& skin, Real i
   }
   SceneLight from(scene);
   const SceneLight::SkinLooks looks = from.skin_looks(skin.at);
-  if (scene.shown == RasterOutput::albedo) return from.skin_albedo(looks);
-  return shown_light(scene, from.skin_light(skin.at, looks, scene.shown == RasterOutput::shadow));
+  if (scene.output == RasterOutput::albedo) return from.skin_albedo(looks);
+  return light_output(scene, from.skin_light(skin.at, looks, scene.output == RasterOutput::shadow));
 }
 
 HWY_INLINE void light_seen(const RasterScene& scene, SkinSeen& seen, int at) {
-  const Vec3 shown = shown_of(scene, skin_lanes(scene, seen, at), load(seen.inverse + at));
-  store(shown.x, seen.red + at), store(shown.y, seen.green + at), store(shown.z, seen.blue + at);
+  const Vec3 output = output_value(scene, skin_lanes(scene, seen, at), load(seen.inverse + at));
+  store(output.x, seen.red + at), store(output.y, seen.green + at), store(output.z, seen.blue + at);
 }
 
 }  // namespace pelage::HWY_NAMESPACE

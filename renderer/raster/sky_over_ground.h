@@ -19,11 +19,11 @@ struct SkyOverGround {
 };
 
 /// Returns the layout of the map around a grid, without its entries.
-SkyOverGround sky_map(const GridPlace& place);
+SkyOverGround sky_map(const GridLayout& layout);
 
 /// Returns the map of a ground at `height`, sizes. Each column of the grid is taken as solid from the lowest to the
 /// highest point of what stands in it.
-SkyOverGround sky_over_ground(const GridPlace& place, std::span<const CellDensity> density, const FurModel& model,
+SkyOverGround sky_over_ground(const GridLayout& layout, std::span<const CellDensity> density, const FurModel& model,
                               float height, int threads);
 
 }  // namespace pelage

@@ -20,7 +20,7 @@ namespace pelage::HWY_NAMESPACE {
 /// Returns unpack_colour of a word in each lane.
 HWY_INLINE Vec3 unpacked_colour(Int word) {
   const auto channel = [](Int bits) HWY_ATTR {
-    const Real share = to_real(hn::And(bits, whole(1023))) * (1.0f / 1023);
+    const Real share = to_real(hn::And(bits, splat(1023))) * (1.0f / 1023);
     return 4.0f * share * share;
   };
   return {channel(word), channel(hn::ShiftRight<10>(word)), channel(hn::ShiftRight<20>(word))};
@@ -43,14 +43,14 @@ struct StrandLanes {
 struct LitKnots {
   int first = 0, count = 4, segments = 1;
 
-  LitKnots(int of_segments, bool whole_strand) : segments(of_segments) {
+  LitKnots(int of_segments, bool from_root) : segments(of_segments) {
     if (segments > 8) count = std::min(segments / 4 + 1, LitPoints::max);
-    if (!whole_strand) first = segments / 3, count = std::max(count - count / 4, 2);
+    if (!from_root) first = segments / 3, count = std::max(count - count / 4, 2);
   }
   int knot(int point) const { return first + point * (segments - first) / (count - 1); }
 };
 
-HWY_INLINE Vec3 place_of(const StrandSet& set, Int rows, int knot) {
+HWY_INLINE Vec3 knot_position(const StrandSet& set, Int rows, int knot) {
   const Quad point = gather_quad(&set.points[0].place.x + 4 * knot, rows);
   return {point.real(0), point.real(1), point.real(2)};
 }
@@ -69,18 +69,19 @@ HWY_INLINE StrandLanes strand_lanes(const RasterScene& scene, const GrownPart& p
   const int segments = set.segments;
   const Int rows = strand_rows(ids, (segments + 1) * 4), knots = strand_rows(ids, segments + 1),
             roots = strand_rows(ids, root_stride);
-  const Vec3 root = place_of(set, rows, 0);
+  const Vec3 root = knot_position(set, rows, 0);
   Vec3 before = root;
-  Real way = 0.0f;
+  Real arc_length = 0.0f;
   StrandLanes strand;
   for (int p = 0; p < lit.count; ++p) {
     const int k = lit.knot(p);
-    strand.place[p] = place_of(set, rows, k);
-    strand.tangent[p] = unit(place_of(set, rows, std::min(k + 1, segments)) - place_of(set, rows, std::max(k - 1, 0)));
+    strand.place[p] = knot_position(set, rows, k);
+    strand.tangent[p] =
+        unit(knot_position(set, rows, std::min(k + 1, segments)) - knot_position(set, rows, std::max(k - 1, 0)));
     strand.colour[p] = gather(reinterpret_cast<const std::int32_t*>(set.colours.data()) + k, knots);
-    way += length(strand.place[p] - before), before = strand.place[p];
+    arc_length += length(strand.place[p] - before), before = strand.place[p];
   }
-  const DepthLanes depth = depth_lanes(set, ids, root, before, way);
+  const DepthLanes depth = depth_lanes(set, ids, root, before, arc_length);
   for (int p = 0; p < lit.count; ++p)
     strand.height[p] = depth.reach * (static_cast<float>(lit.knot(p)) / static_cast<float>(segments));
   strand.normal = depth.normal, strand.number = gather(&set.roots[0].number, roots);
@@ -113,8 +114,8 @@ HWY_INLINE Vec3 shadow_of(const SceneLight::SentLight& sent) {
 
 /// Returns what the scene shows of light. Callers compute the light once and select afterwards, because each call of
 /// the inlined light code is another copy of it.
-HWY_INLINE Vec3 shown_light(const RasterScene& scene, const SceneLight::SentLight& sent) {
-  switch (scene.shown) {
+HWY_INLINE Vec3 light_output(const RasterScene& scene, const SceneLight::SentLight& sent) {
+  switch (scene.output) {
     case RasterOutput::direct: return sent.direct;
     case RasterOutput::shadow: return shadow_of(sent);
     default: return sent.ambient + sent.direct;
@@ -122,12 +123,12 @@ HWY_INLINE Vec3 shown_light(const RasterScene& scene, const SceneLight::SentLigh
 }
 
 /// Returns the scene's field on a triangle of the model; `b` and `c` are barycentrics of its second and third corner.
-HWY_INLINE Vec3 field_at(const RasterScene& scene, Int piece, Real b, Real c) {
+HWY_INLINE Vec3 field_at(const RasterScene& scene, Int triangle, Real b, Real c) {
   const auto* corners = reinterpret_cast<const std::int32_t*>(scene.model->triangles.data());
   const Real shares[3] = {1.0f - b - c, b, c};
   Vec3 field(0.0f);
   for (int k = 0; k < 3; ++k) {
-    const Int vertex = hn::Mul(gather(corners + k, hn::Mul(piece, whole(3))), whole(3));
+    const Int vertex = hn::Mul(gather(corners + k, hn::Mul(triangle, splat(3))), splat(3));
     const float* first = &scene.field[0].x;
     field += shares[k] * Vec3(gather(first, vertex), gather(first + 1, vertex), gather(first + 2, vertex));
   }
@@ -138,16 +139,16 @@ HWY_INLINE Vec3 field_at(const RasterScene& scene, Int piece, Real b, Real c) {
 HWY_INLINE Vec3 field_at_roots(const RasterScene& scene, const StrandSet& set, const std::uint32_t* ids) {
   const auto* roots = reinterpret_cast<const std::int32_t*>(set.roots.data());
   const Int rows = strand_rows(ids, root_stride);
-  const Int piece = gather(roots + offsetof(StrandRoot, piece) / sizeof(float), rows);
+  const Int triangle = gather(roots + offsetof(StrandRoot, triangle) / sizeof(float), rows);
   const Int shares = gather(roots + offsetof(StrandRoot, share) / sizeof(float), rows);
-  const Real b = to_real(hn::And(shares, whole(0xffff))) * (1.0f / 65535);
-  const Real c = to_real(hn::And(hn::ShiftRight<16>(shares), whole(0xffff))) * (1.0f / 65535);
-  const Mask there = to_real(piece) >= 0.0f;
-  return select(there, field_at(scene, hn::Max(piece, whole(0)), b, c), Vec3(0.0f));
+  const Real b = to_real(hn::And(shares, splat(0xffff))) * (1.0f / 65535);
+  const Real c = to_real(hn::And(hn::ShiftRight<16>(shares), splat(0xffff))) * (1.0f / 65535);
+  const Mask there = to_real(triangle) >= 0.0f;
+  return select(there, field_at(scene, hn::Max(triangle, splat(0)), b, c), Vec3(0.0f));
 }
 
 /// Returns the colour of an object for RasterOutput::objects: 1 in its channel, or 0 if it is not among the three.
-HWY_INLINE Vec3 shown_object(const RasterScene& scene, std::size_t object) {
+HWY_INLINE Vec3 object_mask(const RasterScene& scene, std::size_t object) {
   const auto is = [&](std::size_t channel)
                       HWY_ATTR { return Real(object == scene.first_object + channel ? 1.0f : 0.0f); };
   return {is(0), is(1), is(2)};
@@ -155,26 +156,26 @@ HWY_INLINE Vec3 shown_object(const RasterScene& scene, std::size_t object) {
 
 /// Returns what a part's strands show for outputs that need no light: the field at their roots, or their object.
 HWY_INLINE Vec3 unlit(const RasterScene& scene, const GrownPart& part, const std::uint32_t* ids) {
-  if (scene.shown == RasterOutput::field) return field_at_roots(scene, *part.strands, ids);
-  return shown_object(scene, object_of(scene.coats, part));
+  if (scene.output == RasterOutput::field) return field_at_roots(scene, *part.strands, ids);
+  return object_mask(scene, object_of(scene.coats, part));
 }
 
 /// Returns what the scene shows of a fibre.
-HWY_INLINE Vec3 shown_of(SceneLight& from, const Fibre& fibre, Real thin, Vec3 ambient) {
-  switch (from.scene.shown) {
+HWY_INLINE Vec3 output_value(SceneLight& from, const Fibre& fibre, Real thin, Vec3 ambient) {
+  switch (from.scene.output) {
     case RasterOutput::albedo: return fibre.colour;
     case RasterOutput::normal: return fibre.normal;
     case RasterOutput::tangent: return fibre.tangent;
     default: break;
   }
-  return shown_light(from.scene, from.strand_light(fibre, thin, ambient, from.scene.shown == RasterOutput::shadow));
+  return light_output(from.scene, from.strand_light(fibre, thin, ambient, from.scene.output == RasterOutput::shadow));
 }
 
 HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::span<const std::uint32_t> ids,
-                          bool whole_strand, LitPoints& light) {
-  const LitKnots lit(part.strands->segments, whole_strand);
+                          bool from_root, LitPoints& light) {
+  const LitKnots lit(part.strands->segments, from_root);
   SceneLight from(scene);
-  light.by_colour = is_coloured(scene.shown);
+  light.by_colour = is_coloured(scene.output);
   light.from = static_cast<float>(lit.first) / static_cast<float>(lit.segments), light.count = lit.count;
   const auto stride = static_cast<std::size_t>(lit.count);
   light.light.resize(ids.size() * stride);
@@ -182,15 +183,16 @@ HWY_INLINE void light_all(const RasterScene& scene, const GrownPart& part, std::
     std::uint32_t lanes[lane_count];
     for (std::size_t l = 0; l < lane_count; ++l) lanes[l] = ids[std::min(i + l, ids.size() - 1)];
     const StrandLanes strand = strand_lanes(scene, part, lanes, lit);
-    const bool is_unlit = scene.shown == RasterOutput::field || scene.shown == RasterOutput::objects;
+    const bool is_unlit = scene.output == RasterOutput::field || scene.output == RasterOutput::objects;
     const Vec3 same = is_unlit ? unlit(scene, part, lanes) : Vec3(0.0f);
     const std::size_t there = std::min<std::size_t>(lane_count, ids.size() - i);
     for (std::size_t p = 0; p < stride; ++p) {
       Vec3 sent = is_unlit ? same
-                           : shown_of(from, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)),
-                                      strand.thin, strand.ambient);
+                           : output_value(from, fibre_at(scene.optics, scene.camera, strand, static_cast<int>(p)),
+                                          strand.thin, strand.ambient);
       if (light.by_colour)
-        sent = sent * each(unpacked_colour(strand.colour[p]), [](Real c) HWY_ATTR { return 1.0f / (c + over_black); });
+        sent =
+            sent * each(unpacked_colour(strand.colour[p]), [](Real c) HWY_ATTR { return 1.0f / (c + black_offset); });
       float red[lane_count], green[lane_count], blue[lane_count];
       store(sent.x, red), store(sent.y, green), store(sent.z, blue);
       for (std::size_t l = 0; l < there; ++l) light.light[(i + l) * stride + p] = {red[l], green[l], blue[l], 0};

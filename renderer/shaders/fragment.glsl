@@ -5,10 +5,10 @@
 
 layout(early_fragment_tests) in;  // fragments behind the skin must not enter a list
 
-bool no_room() { return lists.count > lists.capacity; }
+bool lists_full() { return lists.count > lists.capacity; }
 
 void put_fragment(vec4 colour) {
-  if (no_room()) return;
+  if (lists_full()) return;
   uint at = atomicAdd(lists.count, 1u);
   if (at >= lists.capacity) return;
   fragment_colours[at] = known(colour);
@@ -17,7 +17,7 @@ void put_fragment(vec4 colour) {
 #else
 layout(location = 0) out vec4 result;  // premultiplied
 
-bool no_room() { return false; }
+bool lists_full() { return false; }
 
 void put_fragment(vec4 colour) { result = known(colour); }
 #endif

@@ -13,13 +13,13 @@ vec3 lean_arc(float a0, float a, float s) {
 
 vec3 lean_root(float a0, float a, float s) {
   float u1 = 2.0 * tan(0.5 * a);
-  float whole = parabola_length(u1);
+  float total = parabola_length(u1);
   float r = s;
   for (int i = 0; i < 3; ++i) {
     float u = r * u1;
-    r -= (r * parabola_length(u) - s * whole) / (2.0 * sqrt(1.0 + u * u));
+    r -= (r * parabola_length(u) - s * total) / (2.0 * sqrt(1.0 + u * u));
   }
-  float y = 2.0 * r / whole, x = r * r * u1 / whole;
+  float y = 2.0 * r / total, x = r * r * u1 / total;
   return vec3(y * sin(a0) + x * cos(a0), y * cos(a0) - x * sin(a0), a0 + atan(r * u1));
 }
 

@@ -15,9 +15,9 @@
 #endif
 
 #ifdef FAR_LIGHTS
-const bool far_lights = true;  // all lights are directional
+const bool directional_lights = true;  // all lights are directional
 #else
-const bool far_lights = false;
+const bool directional_lights = false;
 #endif
 #ifdef ENVIRONMENT
 const bool white_surroundings = false;
@@ -49,25 +49,25 @@ vec3 colour_crossed(vec3 colour, vec3 over) {
 }
 
 // Returns the light that a fibre sends to the camera, after GPU fur eq 1 to 3: the look's shading model scatters each
-// light. `open`: position and height of the fur's hull there, sizes, at which light arrives past other parts of the
+// light. `hull`: position and height of the fur's hull there, sizes, at which light arrives past other parts of the
 // body.
-vec3 fibre_light(Fibre fibre, vec4 open) {
+vec3 fibre_light(Fibre fibre, vec4 hull) {
   vec3 sum = frame.weights.x * fibre.colour * environment_light(fibre.normal) *
              ambient_share(fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6));
   FibreView view = view_of(fibre);
-  FibreEye eye;
-  if (scatters_fibres(SHADING_MODEL)) eye = fibre_eye(fibre);
+  FibreViewTerms view_terms;
+  if (scatters_fibres(SHADING_MODEL)) view_terms = fibre_view_terms(fibre);
   for (uint i = 0; i < LIGHTS; ++i) {
     Arriving light = light_at(i, fibre.place);
-    float facing = dot(fibre.normal, light.to_light), way = way_out(fibre.height, facing);
-    float crossed = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
-    float strands = strands_not_shared(fibre, view, light.to_light, way, crossed);
+    float facing = dot(fibre.normal, light.to_light), path = exit_path_length(fibre.height, facing);
+    float crossed = strands_crossed(fibre.above, path, fibre.tangent, light.to_light);
+    float strands = strands_not_shared(fibre, view, light.to_light, path, crossed);
 #ifdef SHADOW_MAPS
-    strands = shell_depth(int(i), fibre.place, open, fibre.height, facing, strands);
-    light.radiance *= cast_light(int(i), fibre.place, open, fibre.normal);
+    strands = shell_depth(int(i), fibre.place, hull, fibre.height, facing, strands);
+    light.radiance *= cast_visibility(int(i), fibre.place, hull, fibre.normal);
 #endif
-    sum += light.radiance * scatter(SHADING_MODEL, fibre, eye, light.to_light) * transmittance(strands, fibre.crossed) *
-           light_behind(SHADING_MODEL, facing, frame.exponents.z);
+    sum += light.radiance * scatter(SHADING_MODEL, fibre, view_terms, light.to_light) * transmittance(strands, fibre.crossed) *
+           backlight_fade(SHADING_MODEL, facing, frame.exponents.z);
   }
   return sum;
 }

@@ -14,16 +14,16 @@ float strand_share(vec2 at, int slice, float sharp) {
   vec2 texel = at * vec2(size) - 0.5;
   ivec2 low = ivec2(floor(texel));
   vec2 part = texel - vec2(low);
-  float all = 1e-6, kept = 0.0;
+  float all = 1e-6, remaining = 0.0;
   for (int k = 0; k < 4; ++k) {
     ivec2 corner = ivec2(k & 1, k >> 1);
     vec2 near = mix(1.0 - part, part, vec2(corner));
     ivec3 place = ivec3((low + corner) & (size - 1), slice);
     float depth = near.x * near.y * texelFetch(shapes, place, lod).a;
     all += depth;
-    if (texelFetch(colours, place, lod).a < amounts.x) kept += depth;
+    if (texelFetch(colours, place, lod).a < amounts.x) remaining += depth;
   }
-  return kept / all;
+  return remaining / all;
 }
 
 layout(binding = clump_unit) uniform sampler2D clump_map;  // vector to the middle of the clump; depth inside of it; its pull
@@ -42,9 +42,9 @@ float gather_to_clump(float s) {
   vec4 clump = textureLod(clump_map, tile, 0.0);
   clump_middle = (clump.rg * 2.0 - 1.0) * paint_block.coat.w;
   clump_gather = gather * mix(0.5, 1.0, clump.a);
-  float part = clump_gather * s * sqrt(s), kept = 1.0 - part;
-  clump_shift = -clump_middle * (part / kept);
-  return clamp(1.0 + (clump.b - part) / 0.15, 0.0, 1.0) / kept;
+  float part = clump_gather * s * sqrt(s), remaining = 1.0 - part;
+  clump_shift = -clump_middle * (part / remaining);
+  return clamp(1.0 + (clump.b - part) / 0.15, 0.0, 1.0) / remaining;
 }
 
 // Returns the slope of strands towards the middle of their clump at height s, over the length that the tile was made

@@ -15,8 +15,8 @@ vec3 colour_painted(vec3 colour, float height, float lighter) {
 #ifdef PAINT
 // Returns the factor of renderer/coat/strand_tile.h for the water that is painted beyond the coat's own.
 float wetter(float rise) {
-  float own = paint_block.coat.x, whole = min(own + amounts.z, 1.0);
-  return (1.0 + rise * whole) / (1.0 + rise * own);
+  float own = paint_block.coat.x, total = min(own + amounts.z, 1.0);
+  return (1.0 + rise * total) / (1.0 + rise * own);
 }
 
 vec3 colour_wetted(vec3 colour) {

@@ -21,7 +21,7 @@ const float penumbra_bias = 0.003;   // sizes
 const float min_fold = 0.017;     // sizes; depth to which short fur may lie under the hull of long fur beside it
 const float furthest_caster = 0.35;  // sizes; a penumbra does not get wider for casters further away
 
-vec2 place_on_map(int i, vec3 place) {
+vec2 map_uv(int i, vec3 place) {
   vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
   return vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5;
 }
@@ -36,8 +36,8 @@ float depth_below(int i, vec3 place, vec2 at) {
 // (GPU fur 4). Where three bars cross, the map is white on both sides of a shadow's edge: under the first bar the
 // second is dark, and beside it the third is. So white is weighted by the distance of its caster in front of the
 // position, over the distance of the caster in the map.
-float past_body(int i, vec3 place) {
-  vec2 at = place_on_map(i, place);
+float body_visibility(int i, vec3 place) {
+  vec2 at = map_uv(i, place);
   float below = depth_below(i, place, at);
   if (below <= cast_bias) return 1.0;
   if (shadow.slots[i].z < 0.5) return 0.0;
@@ -57,10 +57,10 @@ struct LightDisc {
   float per_size;  // share of the map's side for a unit of length
   float texel;     // size of a texel, sizes
   vec2 slope;      // slope of the skin: depth over distance across the map
-  float room;      // distance in front of the skin's plane within which nothing occludes
+  float clearance;      // distance in front of the skin's plane within which nothing occludes
 };
 
-LightDisc light_disc(int i, vec3 place, vec3 normal, float room) {
+LightDisc light_disc(int i, vec3 place, vec3 normal, float clearance) {
   mat4 to_clip = shadow.to_light[i];
   vec4 clip = to_clip * vec4(place, 1.0);
   clip.w = max(clip.w, 1e-4);  // for positions that the light does not see
@@ -68,7 +68,7 @@ LightDisc light_disc(int i, vec3 place, vec3 normal, float room) {
   float scale = length(right), facing = -dot(normal, shadow.axis[i].xyz), per_size = 0.5 * scale / clip.w;
   vec2 slope = facing > 0.0 ? vec2(dot(normal, right), dot(normal, up)) / (scale * max(facing, 0.2)) : vec2(0.0);
   return LightDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, place) + shadow.axis[i].w,
-                  shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope, room);
+                  shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope, clearance);
 }
 
 // Samples the depth map at `taps` positions spread evenly over a disc. Returns the sum of the distances by which
@@ -76,7 +76,7 @@ LightDisc light_disc(int i, vec3 place, vec3 normal, float room) {
 // a larger bias.
 vec2 blockers(int i, LightDisc disc, float radius, int taps) {
   const mat2 golden = mat2(-0.7373688, 0.6754903, -0.6754903, -0.7373688);  // 137.5 degrees
-  float bias = disc.room + disc.texel * length(disc.slope);
+  float bias = disc.clearance + disc.texel * length(disc.slope);
   vec2 toward = vec2(1.0, 0.0), sum = vec2(0.0);
   for (int tap = 0; tap < taps; ++tap) {
     vec2 off = radius * sqrt((float(tap) + 0.5) / float(taps)) * toward;
@@ -91,8 +91,8 @@ vec2 blockers(int i, LightDisc disc, float radius, int taps) {
 // Returns the share of the light that is visible past the body. Searches the map over an area as wide as the light
 // appears at the occluders' distance (Fernando 2005). What lies in front by no more than the height of the fur does not
 // count: it is fur into which the position grows, in folds.
-float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
-  LightDisc disc = light_disc(i, open.xyz, normal, penumbra_bias + max(open.w, min(10.0 * open.w, min_fold)));
+float body_visibility_in_penumbra(int i, vec4 hull, vec3 normal) {
+  LightDisc disc = light_disc(i, hull.xyz, normal, penumbra_bias + max(hull.w, min(10.0 * hull.w, min_fold)));
   float min_radius = 1.5 * disc.texel, max_radius = disc.spread * furthest_caster;
   vec2 found = blockers(i, disc, max(max_radius, min_radius), search_taps);
   float radius = clamp(disc.spread * found.x / max(found.y, 1.0), min_radius, max(max_radius, min_radius));
@@ -105,25 +105,25 @@ float past_body_in_penumbra(int i, vec4 open, vec3 normal) {
 bool is_penumbra(int i) { return shadow.slots[i].z > 1.5; }
 
 // Returns the share of light i that gets past other parts of the body and guided curves, to skin of that normal or to
-// fur on it. `open`: position and height of the fur's hull.
-float cast_light(int i, vec3 place, vec4 open, vec3 normal) {
+// fur on it. `hull`: position and height of the fur's hull.
+float cast_visibility(int i, vec3 place, vec4 hull, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
-  float kept = is_penumbra(i) ? past_body_in_penumbra(i, open, normal) : past_body(i, place);
-  return kept;
+  float transmitted = is_penumbra(i) ? body_visibility_in_penumbra(i, hull, normal) : body_visibility(i, place);
+  return transmitted;
 }
 
 // Returns the optical depth of the shells above a position. Returns `estimate` where the map shows another part of the
 // body, or where the surface is so oblique to the light that its shells leave no trace on the map. `facing` is N.L.
-float shell_depth(int i, vec3 place, vec4 open, float height, float facing, float estimate) {
+float shell_depth(int i, vec3 place, vec4 hull, float height, float facing, float estimate) {
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
-  vec2 at = place_on_map(i, place);
+  vec2 at = map_uv(i, place);
   const float shells = float(shadow_shells);
   float height_in_shells = min(height + own_part, 1.0) * shells, low = min(floor(height_in_shells), shells - 1.0);
   float first = slot * (shells + 1.0);
-  float kept = mix(texture(shell_maps, vec3(at, first + low)).r,
+  float transmitted = mix(texture(shell_maps, vec3(at, first + low)).r,
                    texture(shell_maps, vec3(at, first + min(low + 1.0, shells))).r, height_in_shells - low);
-  vec3 shown = is_penumbra(i) ? open.xyz : place;
-  float below = depth_below(i, shown, place_on_map(i, shown));
-  return mix(-log(max(kept, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));
+  vec3 on_map = is_penumbra(i) ? hull.xyz : place;
+  float below = depth_below(i, on_map, map_uv(i, on_map));
+  return mix(-log(max(transmitted, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));
 }

@@ -45,11 +45,11 @@ float density_here() {
 // Computes everything that needs derivatives between pixels; call it first. As the height rises, the tile position that
 // a pixel sees moves against the motion of the strands on the screen: correct to first order on curved skin, in
 // perspective and where the length changes.
-void look_around() {
+void compute_derivatives() {
   dense_here = density_here();
-  vec2 way = -(dFdx(tile) * pixel_speed.x + dFdy(tile) * pixel_speed.y);
-  float far = length(way);
-  tile_per_height = far < 1e6 ? way * min(1.0, max_crossing / max(far, 1e-9)) : vec2(0.0);
+  vec2 offset = -(dFdx(tile) * pixel_speed.x + dFdy(tile) * pixel_speed.y);
+  float far = length(offset);
+  tile_per_height = far < 1e6 ? offset * min(1.0, max_crossing / max(far, 1e-9)) : vec2(0.0);
 }
 
 #ifdef TUFTS
@@ -60,8 +60,8 @@ vec2 tuft_shift = vec2(0.0);  // tiles
 // Moves the tile position to the strand that is seen at the middle of the slab, and with it its holes, shadow and
 // colour.
 void shift_to_strand(vec3 normal, vec3 tile_u) {
-  vec3 way = tuft_way(tuft_here(), shell_height());
-  tuft_shift = vec2(dot(way, tile_u), dot(way, cross(normal, tile_u))) * frame.tile.x;
+  vec3 offset = tuft_offset(tuft_here(), shell_height());
+  tuft_shift = vec2(dot(offset, tile_u), dot(offset, cross(normal, tile_u))) * frame.tile.x;
 }
 #endif
 

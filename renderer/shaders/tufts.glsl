@@ -28,12 +28,12 @@ float gathered(Tuft tuft, float s) { return tuft.gather * s * sqrt(s); }
 
 // Returns the optical depth at a height, relative to fur without tufts: 0 beyond the border, higher inside.
 float tuft_share(Tuft tuft, float s) {
-  float kept = 1.0 - gathered(tuft, s);
-  return clamp(1.0 + (tuft.inside + kept - 1.0) / 0.15, 0.0, 1.0) / kept;
+  float remaining = 1.0 - gathered(tuft, s);
+  return clamp(1.0 + (tuft.inside + remaining - 1.0) / 0.15, 0.0, 1.0) / remaining;
 }
 
 // Returns the vector along the surface from here to the root of the strand seen here at height s, sizes.
-vec3 tuft_way(Tuft tuft, float s) {
+vec3 tuft_offset(Tuft tuft, float s) {
   float part = gathered(tuft, s);
   return -tuft.to_middle * (part / (1.0 - part));
 }

@@ -141,10 +141,10 @@ FibreLobes energy_conserving_lobes(const FibreOptics& fibre) {
                    {-2 * alpha, alpha, 4 * alpha, 0},
                    azimuthal_scale(fibre.azimuthal_roughness),
                    fibre.refractive_index};
-  lobes.azimuthal_whole = std::tanh(pi / (2 * lobes.azimuthal_scale));
+  lobes.azimuthal_normalisation = std::tanh(pi / (2 * lobes.azimuthal_scale));
   for (std::size_t p = 0; p < lobe_count; ++p) {
     lobes.tilt_sine[p] = std::sin(lobes.tilt[p]), lobes.tilt_cosine[p] = std::cos(lobes.tilt[p]);
-    lobes.whole[p] = -lobes.variance[p] * std::expm1(-2 / lobes.variance[p]);
+    lobes.longitudinal_normalisation[p] = -lobes.variance[p] * std::expm1(-2 / lobes.variance[p]);
   }
   return lobes;
 }
@@ -178,7 +178,7 @@ double wrapped(double angle) {
 FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 view, float h, glm::vec3 sigma_a)
     : scale_(lobes.azimuthal_scale),
       over_scale_(static_cast<float>(1 / scale_)),
-      logistic_normal_(static_cast<float>(1 / (scale_ * lobes.azimuthal_whole))) {
+      logistic_normal_(static_cast<float>(1 / (scale_ * lobes.azimuthal_normalisation))) {
   const Around to_camera = around(view);
   for (int channel = 0; channel < 3; ++channel) {
     const LobeValues left = attenuation(to_camera.cosine, double(h), double(sigma_a[channel]), lobes.eta);
@@ -194,7 +194,7 @@ FibrePaths::FibrePaths(const FibreLobes& lobes, glm::vec3 view, float h, glm::ve
     lobe.cosine = std::abs(to_camera.cosine * cosine - to_camera.sine * sine);
     lobe.variance = lobes.variance[p];
     lobe.over_variance = static_cast<float>(1 / lobe.variance);
-    lobe.normal = static_cast<float>(1 / lobes.whole[p]);
+    lobe.normal = static_cast<float>(1 / lobes.longitudinal_normalisation[p]);
     if (p + 1 < lobe_count) {
       const double leaves = static_cast<double>(p) * (2 * inside + pi) - 2 * outside;  // exit_azimuth
       lobe.azimuth = wrapped(wrapped(to_camera.azimuth + leaves));
@@ -259,8 +259,8 @@ glm::vec3 FibrePaths::direction_of(std::size_t p, float u, glm::vec2 v) const {
   const Lobe& lobe = lobes_[p];
   const double rest = 1 - double(v.x);  // (0, 1]
   const double missing = std::min(-lobe.variance * std::log(rest + (1 - rest) * std::exp(-2 / lobe.variance)), 2.0);
-  const double off = std::sqrt(std::max(missing * (2 - missing), 0.0)), turn = 2 * pi * double(v.y);
-  const double up = off * std::cos(turn), aside = off * std::sin(turn);
+  const double off = std::sqrt(std::max(missing * (2 - missing), 0.0)), angle = 2 * pi * double(v.y);
+  const double up = off * std::cos(angle), aside = off * std::sin(angle);
   const double along = (missing - 1) * lobe.sine + up * lobe.cosine;
   const double across = std::hypot((1 - missing) * lobe.cosine + up * lobe.sine, aside);
   const double share = double(u) + 0x1p-25;  // (0, 1)

@@ -79,8 +79,8 @@ struct FibreLobes {
   double azimuthal_scale = 0;
   double eta = 1.55;
   LobeValues tilt_sine{}, tilt_cosine{};
-  LobeValues whole{};          // -v (exp(-2 / v) - 1), the divisor that normalises Mp
-  double azimuthal_whole = 1;  // tanh(pi / (2 s)), the share of the logistic distribution within [-pi, pi]
+  LobeValues longitudinal_normalisation{};  // -v (exp(-2 / v) - 1), the divisor that normalises Mp
+  double azimuthal_normalisation = 1;       // tanh(pi / (2 s)), the share of the logistic distribution within [-pi, pi]
 };
 FibreLobes energy_conserving_lobes(const FibreOptics& fibre);
 

@@ -105,7 +105,7 @@ void ShadowMaps::make_textures(const Gl& gl, const Counts& counts, int resolutio
   width_ = map_array(gl, GL_RG32F, width_texels(resolution), counts.casts, GL_LINEAR);
 }
 
-void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution) {
+void ShadowMaps::bind_light_view(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution) {
   FrameBlock seen = block;
   seen.half_picture = 0.5f * glm::vec4(resolution, -resolution, 0, 0);
   seen.world_to_clip = view.world_to_clip;
@@ -117,14 +117,15 @@ void ShadowMaps::see_from(const Gl& gl, const FrameBlock& block, const LightView
 void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block,
                            const std::vector<LightView>& views, const FurDrawing& drawing) {
   const int resolution = frame.knobs.shells.shadow_resolution, reduced = width_texels(resolution);
-  const RenderTarget kept(gl, GL_R16F, resolution, resolution, true), depth(gl, GL_R32F, resolution, resolution, true),
-      occlusion(gl, GL_RG32F, resolution, resolution, false), width(gl, GL_RG32F, reduced, reduced, false);
+  const RenderTarget transmittance(gl, GL_R16F, resolution, resolution, true),
+      depth(gl, GL_R32F, resolution, resolution, true), occlusion(gl, GL_RG32F, resolution, resolution, false),
+      width(gl, GL_RG32F, reduced, reduced, false);
   std::size_t next = 0;
   for (std::size_t i = 0; i < slots_.slots.size() && next < views.size(); ++i) {
     const glm::ivec2 slot(slots_.slots[i]);
     if (slot.y < 0) continue;
     const LightView& view = views[next++];
-    see_from(gl, block, view, resolution);
+    bind_light_view(gl, block, view, resolution);
     FurPass::bind(gl, drawing);
     if (casts_penumbra(frame.lights[i])) {
       scene_.draw_hull(gl, drawing.lists.all, view, depth);
@@ -134,7 +135,7 @@ void ShadowMaps::draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock
     }
     keep(gl, depth, depth_, slot.y);
     if (slot.x >= 0)
-      shells_.draw(gl, drawing.variant, drawing.lists.all, kept, shell_maps_.id(), slot.x * shadow_boundaries);
+      shells_.draw(gl, drawing.variant, drawing.lists.all, transmittance, shell_maps_.id(), slot.x * shadow_boundaries);
   }
 }
 

@@ -47,7 +47,7 @@ class ShadowMaps {
   Counts place_slots(const FurFrame& frame, float radius, std::vector<LightView>& views);
   void make_textures(const Gl& gl, const Counts& counts, int resolution);
   /// Binds a frame block with the view of a light.
-  void see_from(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution);
+  void bind_light_view(const Gl& gl, const FrameBlock& block, const LightView& view, int resolution);
   void draw_maps(const Gl& gl, const FurFrame& frame, const FrameBlock& block, const std::vector<LightView>& views,
                  const FurDrawing& drawing);
   void bind(const Gl& gl) const;

@@ -16,7 +16,7 @@ namespace pelage {
 namespace {
 
 constexpr std::size_t max_cached_coats = 3;  // 90 MB each
-constexpr std::int64_t max_kept_pixels = 2048 * 2048;
+constexpr std::int64_t max_cached_pixels = 2048 * 2048;
 
 bool has_tufts(const Coat& coat) { return coat.tufts.gather > 0; }
 
@@ -214,7 +214,7 @@ Result<FloatImage> ShellsRenderer::drawn(const FurFrame& frame, FrameCounters& c
               .fragments = fragments_.result(),
               .objects = counts.objects,
               .allocated = counts.allocated};
-  if (target_.width() * std::int64_t{target_.height()} > max_kept_pixels) target_ = {};
+  if (target_.width() * std::int64_t{target_.height()} > max_cached_pixels) target_ = {};
   return light;
 }
 

@@ -51,7 +51,7 @@ class ShellsRenderer {
   /// Returns the bytes of all copies of a model (FurModel::original), with their GL objects.
   std::size_t bytes_of(std::uint64_t original) const;
   /// Returns the bytes of all GL objects: models, coats, targets, maps.
-  std::size_t gl_bytes() const { return gl_.held_bytes(); }
+  std::size_t gl_bytes() const { return gl_.storage_bytes(); }
   /// Drops all copies of a model (FurModel::original).
   void forget(std::uint64_t original);
   /// Drops the copies of all models, and the target.

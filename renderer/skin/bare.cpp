@@ -14,17 +14,17 @@ double rise(double low, double high, double x) {
 
 }  // namespace
 
-double bare_share(const FurSkinRegion& region, glm::dvec3 place, glm::dvec3 normal) {
-  const double radii_off = glm::length(region.to_unit * (place - region.centre));
+double bare_share(const FurSkinRegion& region, glm::dvec3 position, glm::dvec3 normal) {
+  const double radii_off = glm::length(region.to_unit * (position - region.centre));
   if (radii_off > 1 + region.softness) return 0;
   const double inside = radii_off <= 1 ? 1 : 1 - rise(1, 1 + region.softness, radii_off);
-  return inside * rise(region.cosine_none, region.cosine_whole, glm::dot(normal, region.facing));
+  return inside * rise(region.cosine_none, region.cosine_full, glm::dot(normal, region.facing));
 }
 
-double fur_share(std::span<const FurSkinRegion> regions, glm::dvec3 place, glm::dvec3 normal) {
-  double kept = 1;
-  for (const FurSkinRegion& region : regions) kept *= 1 - bare_share(region, place, normal);
-  return kept;
+double fur_share(std::span<const FurSkinRegion> regions, glm::dvec3 position, glm::dvec3 normal) {
+  double remaining = 1;
+  for (const FurSkinRegion& region : regions) remaining *= 1 - bare_share(region, position, normal);
+  return remaining;
 }
 
 }  // namespace pelage

@@ -20,9 +20,9 @@ glm::vec4 covered(std::span<const glm::vec4> field, std::size_t vertex) {
 
 }  // namespace
 
-FurVertex fur_vertex(const FurFields& fields, std::size_t v, glm::vec3 place, glm::vec3 normal) {
+FurVertex fur_vertex(const FurFields& fields, std::size_t v, glm::vec3 position, glm::vec3 normal) {
   const FurPaint& paint = fields.paint;
-  const double skin = fields.skin.empty() ? 1 : fur_share(fields.skin, place, normal);
+  const double skin = fields.skin.empty() ? 1 : fur_share(fields.skin, position, normal);
   const float bare = value_of(paint.bare, v, 0);
   return {fields.direction[v],           std::max(fields.length[v] * static_cast<float>(skin) * (1 - bare), 0.0f),
           value_of(paint.density, v, 1), value_of(paint.width, v, 1),

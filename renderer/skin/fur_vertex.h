@@ -18,6 +18,6 @@ struct FurVertex {
 static_assert(sizeof(FurVertex) == 17 * sizeof(float));
 
 /// Returns the values at a vertex with a position and a normal. Unpainted fields have their defaults.
-FurVertex fur_vertex(const FurFields& fields, std::size_t vertex, glm::vec3 place, glm::vec3 normal);
+FurVertex fur_vertex(const FurFields& fields, std::size_t vertex, glm::vec3 position, glm::vec3 normal);
 
 }  // namespace pelage

@@ -25,8 +25,8 @@ std::uint32_t reversed(std::uint32_t x, int bits) {
 
 }  // namespace
 
-std::uint64_t place_on_curve(glm::dvec3 place) {
-  const glm::dvec3 cell = glm::clamp((place + 1.0) * 0x1p20, 0.0, 0x1p21 - 1);
+std::uint64_t morton_code(glm::dvec3 position) {
+  const glm::dvec3 cell = glm::clamp((position + 1.0) * 0x1p20, 0.0, 0x1p21 - 1);
   return spread_bits(static_cast<std::uint64_t>(cell.x)) | spread_bits(static_cast<std::uint64_t>(cell.y)) << 1 |
          spread_bits(static_cast<std::uint64_t>(cell.z)) << 2;
 }
@@ -38,7 +38,7 @@ EvenOrder even_order(std::span<const glm::vec3> roots) {
   };
   const auto count = static_cast<std::uint32_t>(roots.size());
   std::vector<Placed> along(count);
-  for (std::uint32_t i = 0; i < count; ++i) along[i] = {place_on_curve(roots[i]), i};
+  for (std::uint32_t i = 0; i < count; ++i) along[i] = {morton_code(roots[i]), i};
   std::sort(along.begin(), along.end(),
             [](const Placed& a, const Placed& b) { return a.code != b.code ? a.code < b.code : a.root < b.root; });
   const int bits = count > 1 ? std::bit_width(count - 1) : 0;

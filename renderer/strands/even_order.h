@@ -10,7 +10,7 @@ namespace pelage {
 
 /// Position along a Z curve (Morton 1966) through [-1, 1]^3, which contains a model of diagonal 1 centred on the
 /// origin.
-std::uint64_t place_on_curve(glm::dvec3 place);
+std::uint64_t morton_code(glm::dvec3 position);
 
 /// Indices of `roots` (positions in sizes), in the order in which strands are kept: along a Z curve with its bits
 /// reversed (van der Corput 1935), so that the first n roots leave gaps of at most twice their mean on the curve.

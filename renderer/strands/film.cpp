@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t judged_samples = 4;  // samples of a pixel before its variance is used
 
 /// Returns linear light as renderer/finish/encode.cpp displays it.
-double shown(double linear) {
+double displayed(double linear) {
   const double x = 0.72 * std::clamp(linear, 0.0, 1e4);
   return srgb_from_linear(std::min(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 1.0));
 }
@@ -139,23 +139,24 @@ glm::vec3 Film::colour(Part part, std::size_t pixel) const {
 /// Returns the error of the displayed value: half the difference between mean + standard error and mean - standard
 /// error as displayed, times the mean of |x| of a normal distribution. Alpha divides mean and error before tone mapping
 /// and multiplies the displayed value after it.
-double Film::shown_error(std::size_t pixel, double exposure) const {
+double Film::displayed_error(std::size_t pixel, double exposure) const {
   const double count = samples_[pixel], alpha = double(at(beauty, pixel)[3]);
   if (!(alpha > 0)) return 0;
   const double factor = std::exp2(exposure) / alpha;
   const double mean = factor * double(luminance(colour(beauty, pixel)));
   const double error = factor * std::sqrt(std::max(double(*at(spread, pixel)), 0.0) / (count - 1));
-  return std::min(alpha, 1.0) * (shown(mean + error) - shown(mean - error)) / 2 * std::sqrt(2 / std::numbers::pi);
+  return std::min(alpha, 1.0) * (displayed(mean + error) - displayed(mean - error)) / 2 *
+         std::sqrt(2 / std::numbers::pi);
 }
 
-Film::Noise Film::judge(int number, double exposure) const {
+Film::Noise Film::estimate_noise(int number, double exposure) const {
   const auto [left, top, right, bottom] = box_of(number);
   Noise noise{0, (right - left) * (bottom - top), false};
   if (means_[spread].empty()) noise.sum = infinity;
   for (int y = top; y < bottom && noise.sum < infinity; ++y) {
     for (int x = left; x < right; ++x) {
       const std::size_t pixel = index(x, y);
-      noise.sum += samples_[pixel] < judged_samples ? infinity : shown_error(pixel, exposure);
+      noise.sum += samples_[pixel] < judged_samples ? infinity : displayed_error(pixel, exposure);
       noise.seen = noise.seen || at(beauty, pixel)[3] > 0;
     }
   }
@@ -163,14 +164,14 @@ Film::Noise Film::judge(int number, double exposure) const {
 }
 
 double Film::noise(int number, double exposure) const {
-  const Noise noise = judge(number, exposure);
+  const Noise noise = estimate_noise(number, exposure);
   return noise.sum / noise.pixels;
 }
 
 double Film::noise(double exposure) const {
   Noise all;
   for (const int number : tiles_) {
-    const Noise noise = judge(number, exposure);
+    const Noise noise = estimate_noise(number, exposure);
     if (!noise.seen && noise.sum < infinity) continue;
     all.sum += noise.sum;
     all.pixels += noise.pixels;
@@ -181,7 +182,7 @@ double Film::noise(double exposure) const {
 /// Returns an AOV of a pixel in the conventions of Renderer::draw_aovs.
 glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
   const float covered = means_[body].empty() ? 0 : std::clamp(*at(body, pixel), 0.0f, 1.0f);
-  const auto whole = [&](Part part) { return glm::vec4(colour(part, pixel), covered); };
+  const auto with_coverage = [&](Part part) { return glm::vec4(colour(part, pixel), covered); };
   const auto unit = [&](Part part) {
     const glm::vec3 sum = colour(part, pixel);
     return glm::vec4(glm::dot(sum, sum) > 1e-12f ? glm::normalize(sum) : glm::vec3(0), covered);
@@ -196,8 +197,8 @@ glm::vec4 Film::aov_at(Aov aov, std::size_t pixel) const {
     case Aov::position: return {covered > 0 ? colour(position, pixel) / covered : glm::vec3(0), covered};
     case Aov::normal: return unit(normal);
     case Aov::tangent: return unit(tangent);
-    case Aov::albedo: return whole(albedo);
-    case Aov::direct: return whole(direct);
+    case Aov::albedo: return with_coverage(albedo);
+    case Aov::direct: return with_coverage(direct);
     case Aov::shadow: {
       const float* mean = at(light, pixel);
       return {glm::vec3(mean[1] > 0 ? std::clamp(mean[0] / mean[1], 0.0f, 1.0f) : 1.0f), covered};

@@ -85,9 +85,9 @@ class Film {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
   glm::vec3 colour(Part part, std::size_t pixel) const;
-  double shown_error(std::size_t pixel, double exposure) const;
+  double displayed_error(std::size_t pixel, double exposure) const;
   TileBox box_of(int tile) const;
-  Noise judge(int tile, double exposure) const;
+  Noise estimate_noise(int tile, double exposure) const;
   bool can_filter() const;
   FloatImage filtered_beauty() const;
   glm::vec4 aov_at(Aov aov, std::size_t pixel) const;

@@ -281,29 +281,29 @@ glm::vec4 Band::at_silhouette(int x, int y) const {
 /// Returns the ground's alpha over the area that the body leaves open, averaged over the filter's radius.
 float Band::smooth_ground(int x, int y) const {
   const float over = row(over_reach, y)[x];
-  float dark = 0, open = 0;
+  float dark = 0, uncovered = 0;
   for (int dy = -farthest; dy <= farthest; ++dy) {
     for (int dx = -farthest; dx <= farthest; ++dx) {
       const float weight = std::max(1 - static_cast<float>(dx * dx + dy * dy) * over, 0.0f);
       if (x + dx < 0 || x + dx >= source_.width || y + dy < 0 || y + dy >= source_.height) continue;
       dark += weight * row(ground, y + dy)[x + dx];
-      open += weight * (1 - row(body, y + dy)[x + dx]);
+      uncovered += weight * (1 - row(body, y + dy)[x + dx]);
     }
   }
-  return open > 0 ? dark / open : 0;
+  return uncovered > 0 ? dark / uncovered : 0;
 }
 
 void Band::write(FloatImage& image) const {
   for (int y = top_; y < bottom_; ++y) {
     for (int x = 0; x < source_.width; ++x) {
       const std::size_t i = 4 * index(x, y);
-      const bool kept = row(over_reach, y)[x] == 1;
+      const bool unfiltered = row(over_reach, y)[x] == 1;
       glm::vec4 pixel(0);
-      if (!kept) pixel = at_silhouette(x, y);
-      if (!kept && has_ground_ && pixel.a < 1) pixel.a += (1 - pixel.a) * smooth_ground(x, y);
+      if (!unfiltered) pixel = at_silhouette(x, y);
+      if (!unfiltered && has_ground_ && pixel.a < 1) pixel.a += (1 - pixel.a) * smooth_ground(x, y);
       for (int c = 0; c < 4; ++c) {
         const std::size_t k = i + static_cast<std::size_t>(c);
-        image.rgba[k] = kept ? source_.beauty[k] : pixel[c];
+        image.rgba[k] = unfiltered ? source_.beauty[k] : pixel[c];
       }
     }
   }

@@ -49,7 +49,7 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::
   hash.add(tile_hash);
   for (const double value :
        {coat.tile, coat.curl, coat.curl_turns, coat.clump_size, coat.wetness, coat.root_share, coat.tufts.gather,
-        coat.tufts.size, recipe.share, recipe.widening, recipe.guard_share, recipe.wetter, coat.bend, coat.mess})
+        coat.tufts.size, recipe.share, recipe.widening, recipe.guard_share, recipe.extra_wetness, coat.bend, coat.mess})
     hash.add(value);
   for (const std::uint64_t value :
        {std::uint64_t{coat.seed}, std::uint64_t{coat.tufts.seed}, model.id,
@@ -62,7 +62,7 @@ std::uint64_t recipe_hash(const GrowRecipe& recipe, const FurModel& model, std::
 }
 
 /// Returns the fields before anything moves the fur.
-FurFields at_rest(FurFields fields) {
+FurFields without_motion(FurFields fields) {
   if (!fields.still.empty()) fields.direction = fields.still;
   return fields;
 }
@@ -127,33 +127,33 @@ struct StandingForm {
   std::array<glm::vec3, 64> sideways;
 };
 
-StrandRoot root_of(const Strand& strand, const TileCopy& copy, std::uint32_t piece, const RootFields& root,
-                   const StandingForm& standing, double wetter) {
-  const auto whole = [](double share) {
+StrandRoot root_of(const Strand& strand, const TileCopy& copy, std::uint32_t triangle, const RootFields& root,
+                   const StandingForm& standing, double extra_wetness) {
+  const auto to_uint16 = [](double share) {
     return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));
   };
   return {root.normal,
           static_cast<float>(strand.number),
           standing.reach,
           standing.stretch,
-          std::min(root.wetness + static_cast<float>(wetter), 1.0f),
-          piece,
-          {whole(copy.share.y), whole(copy.share.z)}};
+          std::min(root.wetness + static_cast<float>(extra_wetness), 1.0f),
+          triangle,
+          {to_uint16(copy.share.y), to_uint16(copy.share.z)}};
 }
 
 }  // namespace
 
 struct Grower::Impl {
-  /// A piece when the shutter opens and, if anything moves, when it closes.
-  struct Piece {
-    std::uint32_t index;  // index of the model's piece
-    FurPiece opening;
-    std::optional<FurPiece> closing;
+  /// A triangle when the shutter opens and, if anything moves, when it closes.
+  struct MovingTriangle {
+    std::uint32_t index;  // index of the model's triangle
+    FurTriangle opening;
+    std::optional<FurTriangle> closing;
   };
   /// The strands of a chunk. Roots are in the rest pose, so that the order of strands stays when the model moves.
   struct Found {
-    std::vector<Piece> pieces;
-    std::vector<std::pair<std::uint32_t, TileCopy>> strands;  // index in `pieces`, copy
+    std::vector<MovingTriangle> triangles;
+    std::vector<std::pair<std::uint32_t, TileCopy>> strands;  // index in `triangles`, copy
     std::vector<glm::vec3> roots;
   };
 
@@ -161,26 +161,26 @@ struct Grower::Impl {
        std::shared_ptr<const CoatTables> before)
       : model(surface),
         recipe(how),
-        vertices(fur_vertices(surface, at_rest(fields))),
+        vertices(fur_vertices(surface, without_motion(fields))),
         closing(moved_vertices(vertices, fields.closing)),
         bent(moved_vertices(vertices, fields.still.empty() ? fields.still : fields.direction)),
         tables(tables_for(how, strand_segments(how.coat, any_above_default(fields.paint.curl)), std::move(before))),
         tile(tables->tile),
         form(recipe.coat, tile),
         colours(model, recipe, tile),
-        whole_hash(recipe_hash(how, surface, tables->tile_hash)),
+        shared_hash(recipe_hash(how, surface, tables->tile_hash)),
         hashes(vertex_hashes(surface, vertices, closing)) {
     if (has_pattern(recipe.coat)) pattern = make_pattern_block(recipe.coat);
   }
 
-  bool bald(std::uint32_t piece) const;
-  bool keeps(const FurPiece& piece, const TileCopy& copy) const;
-  /// Adds the strands that grow on a piece.
+  bool bald(std::uint32_t triangle) const;
+  bool keeps(const FurTriangle& triangle, const TileCopy& copy) const;
+  /// Adds the strands that grow on a triangle.
   void find_strands(std::uint32_t index, std::vector<TileCopy>& copies, Found& found) const;
-  void append(const Piece& piece, const TileCopy& copy, StrandSet& set) const;
+  void append(const MovingTriangle& triangle, const TileCopy& copy, StrandSet& set) const;
   StandingForm form_of(const TileCopy& copy, const RootFields& root) const;
   StandingForm guard_hair(const TileCopy& copy, const RootFields& root) const;
-  PieceBend bend_of(std::uint32_t piece) const;
+  TriangleBend bend_of(std::uint32_t triangle) const;
 
   FurModel model;
   GrowRecipe recipe;
@@ -192,19 +192,19 @@ struct Grower::Impl {
   StrandForm form;
   StrandColours colours;
   std::optional<PatternBlock> pattern;
-  std::uint64_t whole_hash;           // hash of all inputs that chunks share
+  std::uint64_t shared_hash;          // hash of all inputs that chunks share
   std::vector<std::uint64_t> hashes;  // hash of each vertex
 };
 
-bool Grower::Impl::bald(std::uint32_t piece) const {
-  const glm::uvec3 t = model.triangles[piece];
+bool Grower::Impl::bald(std::uint32_t triangle) const {
+  const glm::uvec3 t = model.triangles[triangle];
   return vertices[t.x].length <= 0 && vertices[t.y].length <= 0 && vertices[t.z].length <= 0;
 }
 
-bool Grower::Impl::keeps(const FurPiece& piece, const TileCopy& copy) const {
+bool Grower::Impl::keeps(const FurTriangle& triangle, const TileCopy& copy) const {
   const glm::vec3 share(copy.share);
-  const float density = piece.density(share);
-  return number_of(copy, 1) < piece.grown(share) &&
+  const float density = triangle.density(share);
+  return number_of(copy, 1) < triangle.grown(share) &&
          number_of(copy, 2) < static_cast<float>(recipe.share / tables->tile_share) &&
          (density >= 1 || static_cast<float>(tile[copy.strand].number) < density);
 }
@@ -230,9 +230,9 @@ StandingForm Grower::Impl::guard_hair(const TileCopy& copy, const RootFields& ro
   return standing;
 }
 
-void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& set) const {
+void Grower::Impl::append(const MovingTriangle& triangle, const TileCopy& copy, StrandSet& set) const {
   const glm::vec3 share(copy.share);
-  const RootFields root = piece.opening.fields(share);
+  const RootFields root = triangle.opening.fields(share);
   const bool guards = number_of(copy, 3) < static_cast<float>(recipe.guard_share);
   const StandingForm standing = guards ? guard_hair(copy, root) : form_of(copy, root);
   const auto knots = static_cast<std::size_t>(tile.segments()) + 1, first = set.points.size();
@@ -242,22 +242,22 @@ void Grower::Impl::append(const Piece& piece, const TileCopy& copy, StrandSet& s
     const int k = static_cast<int>(i);
     const float s = tile.along(k) * standing.reach;
     const float radius = std::max(wider * tile.radius(copy.strand, k), min_strand_radius);
-    const auto point = [&](const FurPiece& of) {
+    const auto point = [&](const FurTriangle& of) {
       return StrandPoint{root.place + standing.stretch * of.curves().at(share, s) + standing.sideways[i], radius};
     };
-    set.points[first + i] = point(piece.opening);
-    if (piece.closing) set.closing.push_back(point(*piece.closing));
+    set.points[first + i] = point(triangle.opening);
+    if (triangle.closing) set.closing.push_back(point(*triangle.closing));
   }
   set.to_mean.push_back(colours.write(copy.strand, root, std::span(set.colours).subspan(first, knots)));
-  set.roots.push_back(root_of(tile[copy.strand], copy, piece.index, root, standing, recipe.wetter));
+  set.roots.push_back(root_of(tile[copy.strand], copy, triangle.index, root, standing, recipe.extra_wetness));
 }
 
-PieceBend Grower::Impl::bend_of(std::uint32_t piece) const {
+TriangleBend Grower::Impl::bend_of(std::uint32_t triangle) const {
   const PatternBlock* block = pattern ? &*pattern : nullptr;
   const std::span<const glm::vec3> rest = model.rest_positions.empty() ? model.positions : model.rest_positions;
-  PieceBend bend;
+  TriangleBend bend;
   for (int k = 0; k < 3; ++k) {
-    const std::uint32_t v = model.triangles[piece][k];
+    const std::uint32_t v = model.triangles[triangle][k];
     const auto lean = [&](const FurVertex& vertex) {
       return corner_lean(vertex, rest[v], model.normals[v], model.tangents[v], block);
     };
@@ -271,14 +271,14 @@ void Grower::Impl::find_strands(std::uint32_t index, std::vector<TileCopy>& copi
   tables->cells.find(tile_triangle(model.corners[index]), copies);
   if (copies.empty()) return;
   const PatternBlock* block = pattern ? &*pattern : nullptr;
-  const auto number = static_cast<std::uint32_t>(found.pieces.size());
-  found.pieces.push_back({index, FurPiece(model, vertices, index, tables->leans, block), {}});
-  Piece& piece = found.pieces.back();
-  if (!closing.empty()) piece.closing.emplace(model, closing, index, tables->leans, block);
+  const auto number = static_cast<std::uint32_t>(found.triangles.size());
+  found.triangles.push_back({index, FurTriangle(model, vertices, index, tables->leans, block), {}});
+  MovingTriangle& triangle = found.triangles.back();
+  if (!closing.empty()) triangle.closing.emplace(model, closing, index, tables->leans, block);
   for (const TileCopy& copy : copies) {
-    if (!keeps(piece.opening, copy)) continue;
+    if (!keeps(triangle.opening, copy)) continue;
     found.strands.emplace_back(number, copy);
-    found.roots.push_back(piece.opening.rest_place(glm::vec3(copy.share)));
+    found.roots.push_back(triangle.opening.rest_position(glm::vec3(copy.share)));
   }
 }
 
@@ -301,7 +301,7 @@ std::vector<GrowRecipe> recipes_of(const FurFrame& frame, bool has_colours, doub
     recipes.push_back({.coat = one.coat,
                        .model_colours = takes_model_colours(frame.look, has_colours),
                        .guard_share = expected > 0 ? std::min(one.coat.guard_hairs / expected, 1.0) : 0,
-                       .wetter = one.coat.wetness - frame.wetness()});
+                       .extra_wetness = one.coat.wetness - frame.wetness()});
   }
   return recipes;
 }
@@ -316,14 +316,14 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   const Impl& grower = *impl_;
   Impl::Found found;
   std::vector<TileCopy> copies;
-  for (const std::uint32_t piece : chunk) grower.find_strands(piece, copies, found);
+  for (const std::uint32_t triangle : chunk) grower.find_strands(triangle, copies, found);
   EvenOrder even = even_order(found.roots);
   StrandSet set;
   set.segments = grower.tile.segments();
   for (const std::uint32_t strand : even.order) {
     const auto& [number, copy] = found.strands[strand];
-    const Impl::Piece& piece = found.pieces[number];
-    grower.append(piece, copy, set);
+    const Impl::MovingTriangle& triangle = found.triangles[number];
+    grower.append(triangle, copy, set);
     if (set.bytes() > max) break;
   }
   even.neighbour.resize(set.count());
@@ -336,11 +336,11 @@ StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
 void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
   const Impl& grower = *impl_;
   assert(grower.bent.size() == grower.vertices.size());
-  std::vector<std::uint32_t> pieces(chunk);
-  std::sort(pieces.begin(), pieces.end());
-  std::vector<LeanCurves> bends(pieces.size());
-  std::transform(pieces.begin(), pieces.end(), bends.begin(), [&](std::uint32_t piece) {
-    const PieceBend bend = grower.bend_of(piece);
+  std::vector<std::uint32_t> triangles(chunk);
+  std::sort(triangles.begin(), triangles.end());
+  std::vector<LeanCurves> bends(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), bends.begin(), [&](std::uint32_t triangle) {
+    const TriangleBend bend = grower.bend_of(triangle);
     LeanCurves still, moved;
     for (int k = 0; k < 3; ++k) {
       still.set(k, grower.tables->leans, bend[static_cast<std::size_t>(k)].still);
@@ -350,8 +350,8 @@ void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
   });
   StrandPoint* point = set.points.data();
   for (const StrandRoot& root : set.roots) {
-    const auto piece = std::lower_bound(pieces.begin(), pieces.end(), root.piece);
-    const LeanCurves& curves = bends[static_cast<std::size_t>(piece - pieces.begin())];
+    const auto triangle = std::lower_bound(triangles.begin(), triangles.end(), root.triangle);
+    const LeanCurves& curves = bends[static_cast<std::size_t>(triangle - triangles.begin())];
     const glm::vec2 share = glm::vec2(root.share[0], root.share[1]) / 65535.0f;
     const glm::vec3 shares(1 - share.x - share.y, share);
     for (int k = 0; k <= set.segments; ++k, ++point)
@@ -359,18 +359,18 @@ void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
   }
 }
 
-PieceBend Grower::bend_of(std::uint32_t piece) const { return impl_->bend_of(piece); }
+TriangleBend Grower::bend_of(std::uint32_t triangle) const { return impl_->bend_of(triangle); }
 
 const LeanTable& Grower::leans() const { return impl_->tables->leans; }
 
 const std::shared_ptr<const CoatTables>& Grower::tables() const { return impl_->tables; }
 
-std::array<SkinLook, 3> Grower::skin(std::uint32_t piece) const {
+std::array<SkinLook, 3> Grower::skin(std::uint32_t triangle) const {
   constexpr float covering = 0.008f;  // length of fur that hides the skin, sizes
   std::array<SkinLook, 3> corners;
   for (int k = 0; k < 3; ++k) {
-    const FurVertex& vertex = impl_->vertices[impl_->model.triangles[piece][k]];
-    const RootFields root = corner_fields(impl_->model, impl_->vertices, piece, k);
+    const FurVertex& vertex = impl_->vertices[impl_->model.triangles[triangle][k]];
+    const RootFields root = corner_fields(impl_->model, impl_->vertices, triangle, k);
     const float thin = 1 - std::clamp(vertex.density, 0.0f, 1.0f);
     const float grown = glm::smoothstep(0.0f, covering, vertex.length) * (1 - thin * thin * thin);
     corners[static_cast<std::size_t>(k)] = {impl_->colours.under(root), grown, vertex.bare, vertex.wetness};
@@ -384,12 +384,12 @@ std::array<SkinLook, 3> skin_under(std::span<const std::array<SkinLook, 3>> of_e
   for (std::size_t k = 0; k < corners.size(); ++k) {
     SkinLook& corner = corners[k];
     glm::vec3 under(0);
-    float sum = 0, open = 1;
+    float sum = 0, uncovered = 1;
     for (const auto& one : of_each) {
-      under += one[k].grown * one[k].under, sum += one[k].grown, open *= 1 - one[k].grown;
+      under += one[k].grown * one[k].under, sum += one[k].grown, uncovered *= 1 - one[k].grown;
       corner.wetness = std::max(corner.wetness, one[k].wetness);
     }
-    if (sum > 0) corner.under = under / sum, corner.grown = 1 - open;
+    if (sum > 0) corner.under = under / sum, corner.grown = 1 - uncovered;
   }
   return corners;
 }
@@ -397,8 +397,8 @@ std::array<SkinLook, 3> skin_under(std::span<const std::array<SkinLook, 3>> of_e
 std::uint64_t Grower::bend_fingerprint(const StrandChunk& chunk) const {
   if (impl_->bent.empty()) return 0;
   Hash hash;
-  for (const std::uint32_t piece : chunk) {
-    const glm::uvec3 t = impl_->model.triangles[piece];
+  for (const std::uint32_t triangle : chunk) {
+    const glm::uvec3 t = impl_->model.triangles[triangle];
     for (const std::uint32_t v : {t.x, t.y, t.z}) hash.add_value(impl_->bent[v].direction);
   }
   return hash.value();
@@ -406,11 +406,11 @@ std::uint64_t Grower::bend_fingerprint(const StrandChunk& chunk) const {
 
 std::uint64_t Grower::fingerprint(const StrandChunk& chunk) const {
   Hash hash;
-  hash.add(impl_->whole_hash);
-  for (const std::uint32_t piece : chunk) {
-    const glm::uvec3 t = impl_->model.triangles[piece];
+  hash.add(impl_->shared_hash);
+  for (const std::uint32_t triangle : chunk) {
+    const glm::uvec3 t = impl_->model.triangles[triangle];
     for (const std::uint32_t v : {t.x, t.y, t.z}) hash.add(impl_->hashes[v]);
-    hash.add_value(impl_->model.corners[piece]);
+    hash.add_value(impl_->model.corners[triangle]);
   }
   return hash.value();
 }

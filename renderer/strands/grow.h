@@ -25,12 +25,12 @@ struct GrowRecipe {
   double share = 1;            // share of the coat's strands to grow, chosen by a random number of each, (0, 1]
   double guard_share = 0;      // share of the strands that become guard hairs, [0, 1]
   double widening = 1;         // factor on strand width, >= 1: 1 / share preserves coverage
-  double wetter = 0;           // wetness beyond FurFrame::wetness, [0, 1]
+  double extra_wetness = 0;    // wetness beyond FurFrame::wetness, [0, 1]
 
   bool operator==(const GrowRecipe&) const = default;
 };
 
-/// A region of the surface that is grown at a time: indices of pieces of the model that lie together.
+/// A region of the surface that is grown at a time: indices of triangles of the model that lie together.
 using StrandChunk = std::vector<std::uint32_t>;
 
 /// Returns the area of the fur on its sample tile, sizes^2: the expected number of strands at full density if one grows
@@ -42,13 +42,13 @@ double fur_area(const FurModel& model);
 std::vector<GrowRecipe> recipes_of(const FurFrame& frame, bool has_colours, double area);
 
 /// Divides the surface into compact chunks with at most `strands_each` strands of all coats together each, or of one
-/// piece.
+/// triangle.
 std::vector<StrandChunk> make_chunks(const FurModel& model, EachCoat<Coat> coats, double strands_each);
 
 /// Returns the expected number of strands, before density, bare skin and `share` reduce it.
 double expected_strands(const FurModel& model, const Coat& coat);
 
-/// The look of the skin between strands, at a corner of a piece.
+/// The look of the skin between strands, at a corner of a triangle.
 struct SkinLook {
   glm::vec3 under{0};           // colour of skin under fur, linear
   float grown = 0;              // share of the skin that has that colour, [0, 1]; the rest has the model's own
@@ -70,9 +70,9 @@ const LeanTable& leans_of(const CoatTables& tables);
 ///
 /// Where shells repeat a tile made for fur of one length, strands of shorter fur move sideways by at most their length.
 /// A share below 1/16 also leaves out whole strands of the tile, down to 256 of them, so that at most about 16 copies
-/// are examined for each strand that grows. Limits: a piece grows at most 4,194,304 strands, and none if its position
-/// on the tile is more than 100 sizes from the origin or if it has no area on the tile (TileCells). Callers that have
-/// to bound memory check expected_strands first.
+/// are examined for each strand that grows. Limits: a triangle grows at most 4,194,304 strands, and none if its
+/// position on the tile is more than 100 sizes from the origin or if it has no area on the tile (TileCells). Callers
+/// that have to bound memory check expected_strands first.
 class Grower {
  public:
   /// `before`: tables of an earlier grower; they are reused if they are the same, null for none.
@@ -87,13 +87,13 @@ class Grower {
   /// Moves the strands of a chunk from their lean by FurFields::still, which must not be empty, to their lean by
   /// FurFields::direction.
   void bend(const StrandChunk& chunk, StrandSet& set) const;
-  /// Returns the lean at the corners of a piece before and after `bend`.
-  PieceBend bend_of(std::uint32_t piece) const;
+  /// Returns the lean at the corners of a triangle before and after `bend`.
+  TriangleBend bend_of(std::uint32_t triangle) const;
   /// Returns the table of lean curves.
   const LeanTable& leans() const;
-  /// Returns the look of the skin at the corners of a piece.
-  std::array<SkinLook, 3> skin(std::uint32_t piece) const;
-  /// Returns a 64-bit fingerprint of everything that `grow(chunk)` and `skin` of its pieces depend on: it stays the
+  /// Returns the look of the skin at the corners of a triangle.
+  std::array<SkinLook, 3> skin(std::uint32_t triangle) const;
+  /// Returns a 64-bit fingerprint of everything that `grow(chunk)` and `skin` of its triangles depend on: it stays the
   /// same as long as their results do.
   std::uint64_t fingerprint(const StrandChunk& chunk) const;
   /// Returns a fingerprint of what `bend(chunk)` depends on besides that; 0 if nothing is bent.

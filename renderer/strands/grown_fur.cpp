@@ -23,24 +23,24 @@ double cover_of(const Coat& coat) { return on_area_of(coat) * std::max(coat.widt
 
 double area_of(const FurModel& model, const StrandChunk& chunk) {
   double area = 0;
-  for (const std::uint32_t piece : chunk) {
-    const glm::uvec3 t = model.triangles[piece];
+  for (const std::uint32_t triangle : chunk) {
+    const glm::uvec3 t = model.triangles[triangle];
     const glm::dvec3 a(model.positions[t.x]), b(model.positions[t.y]), c(model.positions[t.z]);
-    const auto& corners = model.corners[piece];
+    const auto& corners = model.corners[triangle];
     const double weight = (double{corners[0].weight} + corners[1].weight + corners[2].weight) / 3;
     area += 0.5 * glm::length(glm::cross(b - a, c - a)) * weight;
   }
   return area;
 }
 
-/// Finds the bounds of a part that stands on some pieces of the model.
-void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, GrownPart& part) {
+/// Finds the bounds of a part that stands on some triangles of the model.
+void find_bounds(const FurModel& model, std::span<const std::uint32_t> triangles, GrownPart& part) {
   const StrandSet& set = *part.strands;
   const std::size_t knots = static_cast<std::size_t>(set.segments) + 1;
   part.low = glm::vec3(1e9f), part.high = glm::vec3(-1e9f);
-  for (const std::uint32_t piece : pieces) {
+  for (const std::uint32_t triangle : triangles) {
     for (int k = 0; k < 3; ++k) {
-      const glm::vec3 corner = model.positions[model.triangles[piece][k]];
+      const glm::vec3 corner = model.positions[model.triangles[triangle][k]];
       part.low = glm::min(part.low, corner), part.high = glm::max(part.high, corner);
     }
   }
@@ -59,16 +59,16 @@ void find_bounds(const FurModel& model, std::span<const std::uint32_t> pieces, G
 }
 
 /// Extends a box by the offsets that `bend` gives to strands whose curves are `stretch` times as long.
-void add_bend(const PieceBend& bend, const LeanTable& leans, float stretch, glm::vec3& low, glm::vec3& high) {
+void add_bend(const TriangleBend& bend, const LeanTable& leans, float stretch, glm::vec3& low, glm::vec3& high) {
   constexpr std::size_t step = lean_cells / 4;  // offsets grow with the height, so a few heights suffice
   for (const auto& [still, moved] : bend) {
     for (std::size_t k = step; k <= lean_cells; k += step) {
       const auto place = [&](const CornerLean& lean) {
         const glm::vec2 at = leans.knot(lean.inclination, k).place;
-        return lean.length * (at.x * lean.way + at.y * lean.normal);
+        return lean.length * (at.x * lean.direction + at.y * lean.normal);
       };
-      const glm::vec3 way = stretch * (place(moved) - place(still));
-      low = glm::min(low, way), high = glm::max(high, way);
+      const glm::vec3 direction = stretch * (place(moved) - place(still));
+      low = glm::min(low, direction), high = glm::max(high, direction);
     }
   }
 }
@@ -117,8 +117,8 @@ std::size_t GrownFur::grow_still(const Growing& how, std::size_t chunk) {
   find_bounds(how.model, chunks_[chunk], part);
   still.low = part.low, still.high = part.high;
   Hash skin;
-  for (const std::uint32_t piece : chunks_[chunk])
-    skin.add_value(coats_[how.coat].skin[piece] = how.grower.skin(piece));
+  for (const std::uint32_t triangle : chunks_[chunk])
+    skin.add_value(coats_[how.coat].skin[triangle] = how.grower.skin(triangle));
   part.skin = skin.value();
   const std::size_t count = still.strands->count();
   const double on_area = on_area_of(how.recipe.coat);
@@ -134,8 +134,9 @@ void GrownFur::bend_part(const Growing& how, std::size_t chunk) {
   GrownPart& part = parts_[part_of(how.coat, chunk)];
   const Still& still = still_[part_of(how.coat, chunk)];
   glm::vec3 low(0), high(0);
-  for (const std::uint32_t piece : chunks_[chunk])
-    add_bend(coats_[how.coat].bends[piece] = how.grower.bend_of(piece), how.grower.leans(), still.stretch, low, high);
+  for (const std::uint32_t triangle : chunks_[chunk])
+    add_bend(coats_[how.coat].bends[triangle] = how.grower.bend_of(triangle), how.grower.leans(), still.stretch, low,
+             high);
   part.low = still.low + low, part.high = still.high + high;
   if (how.bending == Bending::left) return;
   auto bent = std::make_shared<StrandSet>(*still.strands);
@@ -172,9 +173,9 @@ void GrownFur::join_skin() {
   if (coats_.size() == 1) return;
   std::vector<std::array<SkinLook, 3>> of_each(coats_.size());
   skin_.resize(coats_.front().skin.size());
-  for (std::size_t piece = 0; piece < skin_.size(); ++piece) {
-    for (std::size_t c = 0; c < coats_.size(); ++c) of_each[c] = coats_[c].skin[piece];
-    skin_[piece] = skin_under(of_each);
+  for (std::size_t triangle = 0; triangle < skin_.size(); ++triangle) {
+    for (std::size_t c = 0; c < coats_.size(); ++c) of_each[c] = coats_[c].skin[triangle];
+    skin_[triangle] = skin_under(of_each);
   }
 }
 
@@ -220,7 +221,7 @@ std::size_t GrownFur::bytes() const {
   for (std::size_t i = 0; i < still_.size(); ++i)
     if (still_[i].strands && still_[i].strands != parts_[i].strands) sum += still_[i].strands->bytes();
   for (const GrownCoat& coat : coats_)
-    sum += coat.skin.size() * sizeof(skin_[0]) + coat.bends.size() * sizeof(PieceBend);
+    sum += coat.skin.size() * sizeof(skin_[0]) + coat.bends.size() * sizeof(TriangleBend);
   return sum + skin_.size() * sizeof(skin_[0]);
 }
 

@@ -39,8 +39,8 @@ struct GrownPart {
 
 /// The bending by which a caller moves strands from where they have grown.
 struct FurBend {
-  std::span<const PieceBend> pieces;  // for each piece of the model; empty if nothing moves them
-  std::span<const LeanRow> leans;     // the table of curves along which strands lean: LeanTable::rows
+  std::span<const TriangleBend> triangles;  // for each triangle of the model; empty if nothing moves them
+  std::span<const LeanRow> leans;           // the table of curves along which strands lean: LeanTable::rows
 };
 
 /// `done`: strands come out bent. `left`: the caller bends them by a FurBend.
@@ -56,7 +56,7 @@ class GrownFur {
   const std::vector<GrownPart>& parts() const { return parts_; }
   /// Returns how the caller has to bend the parts, if that was left to the caller.
   FurBend bend() const;
-  /// Returns the look of the skin at the corners of each piece of the model.
+  /// Returns the look of the skin at the corners of each triangle of the model.
   const std::vector<std::array<SkinLook, 3>>& skin() const { return coats_.size() == 1 ? coats_.front().skin : skin_; }
   std::size_t count() const;
   std::size_t bytes() const;
@@ -76,7 +76,7 @@ class GrownFur {
     CoatId id = 0;
     double count = 0, tile = 0, share = 0;
     std::shared_ptr<const CoatTables> tables;
-    std::vector<PieceBend> bends;  // for each piece; empty if nothing moves the fur
+    std::vector<TriangleBend> bends;  // for each triangle; empty if nothing moves the fur
     std::vector<std::array<SkinLook, 3>> skin;
   };
   /// The inputs for growing one coat.

@@ -45,8 +45,8 @@ float cone_share(const FurLight& light, glm::vec3 to_light) {
 }
 
 /// As light_at in lighting.glsl, for light from a position.
-LightSample from_point(const FurLight& light, glm::vec3 from, glm::vec3 place) {
-  const glm::vec3 apart = from - place;
+LightSample from_point(const FurLight& light, glm::vec3 from, glm::vec3 position) {
+  const glm::vec3 apart = from - position;
   const float square = std::max(glm::dot(apart, apart), min_square);
   const float distance = std::sqrt(square);
   const glm::vec3 towards = apart / distance;
@@ -64,8 +64,8 @@ LightSample from_disc(const FurLight& light, glm::vec2 u) {
 /// Samples the sphere uniformly by solid angle. Its radiance is that of the point light over radius^2, times the solid
 /// angle 2 pi (1 - cos a) over pi: 2 / (distance^2 (1 + cos a)), without cancellation. A spot's cone is evaluated at
 /// the centre.
-LightSample from_ball(const FurLight& light, glm::vec3 place, glm::vec2 u) {
-  LightSample centre = from_point(light, light.position, place);
+LightSample from_ball(const FurLight& light, glm::vec3 position, glm::vec2 u) {
+  LightSample centre = from_point(light, light.position, position);
   const float share = light.radius / centre.distance;  // sin a
   if (!(share > 0) || share >= 1) return centre;
   const float cosine = std::sqrt((1 - share) * (1 + share));
@@ -76,10 +76,10 @@ LightSample from_ball(const FurLight& light, glm::vec3 place, glm::vec2 u) {
           centre.distance * std::max(1 - missing - share * half_chord, 0.0f), centre.radiance * (2 / (1 + cosine))};
 }
 
-LightSample from_rectangle(const FurLight& light, glm::vec3 place, glm::vec2 u) {
+LightSample from_rectangle(const FurLight& light, glm::vec3 position, glm::vec2 u) {
   const Axes axes = axes_across(light.direction);
   const glm::vec2 off = (u - 0.5f) * light.extent;
-  return from_point(light, light.position + off.x * axes.right + off.y * axes.up, place);
+  return from_point(light, light.position + off.x * axes.right + off.y * axes.up, position);
 }
 
 }  // namespace
@@ -90,21 +90,21 @@ StrandLights::StrandLights(std::span<const FurLight> lights, const Environment& 
   tabulate();
 }
 
-LightSample StrandLights::sample(int i, glm::vec3 place, glm::vec2 u) const {
+LightSample StrandLights::sample(int i, glm::vec3 position, glm::vec2 u) const {
   const FurLight& light = lights_[static_cast<std::size_t>(i)];
   switch (light.kind) {
     case LightKind::directional: return from_disc(light, u);
-    case LightKind::area: return from_rectangle(light, place, u);
+    case LightKind::area: return from_rectangle(light, position, u);
     case LightKind::point:
     case LightKind::spot: break;
   }
-  return from_ball(light, place, u);
+  return from_ball(light, position, u);
 }
 
-float StrandLights::importance(int i, glm::vec3 place) const {
+float StrandLights::importance(int i, glm::vec3 position) const {
   const FurLight& light = lights_[static_cast<std::size_t>(i)];
   const bool far = light.kind == LightKind::directional;
-  return luminance(far ? light.radiance : from_point(light, light.position, place).radiance);
+  return luminance(far ? light.radiance : from_point(light, light.position, position).radiance);
 }
 
 glm::vec3 StrandLights::environment(glm::vec3 direction) const {

@@ -31,12 +31,12 @@ class StrandLights {
   StrandLights(std::span<const FurLight> lights, const Environment& environment, double ambient);
 
   int count() const { return static_cast<int>(lights_.size()); }
-  /// Samples light i as seen from `place`; u in [0, 1)^2. The mean over u is the light of its whole extent: a
-  /// directional light is a disc of directions, a point or spot light a sphere (its centre alone for a `place` inside
-  /// it), an area light a one-sided rectangle. The cone of a spot light is evaluated at its centre.
-  LightSample sample(int i, glm::vec3 place, glm::vec2 u) const;
-  /// Returns the luminance that light i, treated as a point, brings to `place`; for choosing among lights.
-  float importance(int i, glm::vec3 place) const;
+  /// Samples light i as seen from `position`; u in [0, 1)^2. The mean over u is the light of its whole extent: a
+  /// directional light is a disc of directions, a point or spot light a sphere (its centre alone for a `position`
+  /// inside it), an area light a one-sided rectangle. The cone of a spot light is evaluated at its centre.
+  LightSample sample(int i, glm::vec3 position, glm::vec2 u) const;
+  /// Returns the luminance that light i, treated as a point, brings to `position`; for choosing among lights.
+  float importance(int i, glm::vec3 position) const;
 
   bool has_environment() const { return environment_bright_; }
   glm::vec3 environment(glm::vec3 direction) const;  // radiance, >= 0

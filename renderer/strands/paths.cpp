@@ -28,13 +28,13 @@ class Bsdf {
       fibre_.emplace(shading.lobes(), frame_->local(to_camera_), hit.offset, shading.absorption(hit.colour));
     } else {
       hit_.colour = glm::clamp(hit.colour, 0.0f, 1.0f);
-      position_ += hit.normal * leave_skin;
+      position_ += hit.normal * ray_offset;
     }
   }
 
   /// Returns a ray that leaves the hit.
   Ray spawn_ray(glm::vec3 direction, float t_max = 1e30f) const {
-    return {.origin = position_, .direction = direction, .t_max = t_max, .without = hit_.strand, .time = time_};
+    return {.origin = position_, .direction = direction, .t_max = t_max, .ignored = hit_.strand, .time = time_};
   }
   glm::vec3 position() const { return position_; }
 
@@ -142,7 +142,8 @@ glm::vec3 bounded(glm::vec3 radiance, float brightest) {
 
 /// Follows a path from its first hit, as pbrt's PathIntegrator does: direct light, a new direction, Russian roulette,
 /// the next hit.
-void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& film_sample) {
+void follow(const TraceScene& scene, const World& world, const CameraHit& seen, Sampler& sampler,
+            FilmSample& film_sample) {
   Hit hit = seen.hit;
   if (hit.kind == HitKind::skin && seen.base.there) hit.colour = seen.base.albedo, hit.normal = seen.base.normal;
   glm::vec3 position = film_sample.position, throughput(1);
@@ -176,8 +177,8 @@ void follow(const TraceScene& scene, const World& world, const Seen& seen, Sampl
 
 }  // namespace
 
-FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time, Sampler& sampler) {
-  const Seen seen = look_at(scene, world, place, time);
+FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 position, float time, Sampler& sampler) {
+  const CameraHit seen = trace_camera_ray(scene, world, position, time);
   FilmSample sample = features_of(scene, seen);
   if (seen.hit.kind == HitKind::none) {
     shade_ground(scene, world, seen.ray, sampler, sample);

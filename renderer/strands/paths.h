@@ -8,6 +8,6 @@
 namespace pelage {
 
 /// Traces a camera ray through a pixel position and the path that follows.
-FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time, Sampler& sampler);
+FilmSample path_sample(const TraceScene& scene, const World& world, glm::vec2 position, float time, Sampler& sampler);
 
 }  // namespace pelage

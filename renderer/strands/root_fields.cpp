@@ -64,7 +64,7 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
 
 RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner) {
   const std::uint32_t v = model.triangles[index][corner];
-  const FurCorner& of_piece = model.corners[index][static_cast<std::size_t>(corner)];
+  const FurCorner& fur_corner = model.corners[index][static_cast<std::size_t>(corner)];
   const bool moved = !model.rest_positions.empty();
   RootFields root;
   root.place = model.positions[v], root.normal = model.normals[v];
@@ -72,17 +72,17 @@ RootFields corner_fields(const FurModel& model, std::span<const FurVertex> verti
   root.rest.normal = moved ? model.rest_normals[v] : root.normal;
   root.length = vertices[v].length, root.wetness = vertices[v].wetness;
   root.root_paint = vertices[v].root_paint, root.tip_paint = vertices[v].tip_paint;
-  root.image_uv = of_piece.image_uv, root.colour = of_piece.colour, root.image = of_piece.image;
+  root.image_uv = fur_corner.image_uv, root.colour = fur_corner.colour, root.image = fur_corner.image;
   return root;
 }
 
-CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 normal, glm::vec3 tangent,
+CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_position, glm::vec3 normal, glm::vec3 tangent,
                        const PatternBlock* pattern) {
-  const auto [inclination, way] = lean_of(vertex.direction, normal, tangent);
-  CornerLean lean{normal, vertex.length, way, inclination};
+  const auto [inclination, direction] = lean_of(vertex.direction, normal, tangent);
+  CornerLean lean{normal, vertex.length, direction, inclination};
   if (!pattern) return lean;
-  lean.length *= pattern_length(*pattern, rest_place);
-  lean.inclination = glm::clamp(inclination + pattern_lean(*pattern, rest_place), 0.0f, 1.0f);
+  lean.length *= pattern_length(*pattern, rest_position);
+  lean.inclination = glm::clamp(inclination + pattern_lean(*pattern, rest_position), 0.0f, 1.0f);
   return lean;
 }
 
@@ -90,8 +90,8 @@ void LeanCurves::set(int corner, const LeanTable& leans, const CornerLean& lean)
   Corner& own = corners_[static_cast<std::size_t>(corner)];
   const LeanRow row = leans.row(lean.inclination);
   for (std::size_t k = 0; k < row.size(); ++k) {
-    own.curve[k] = lean.length * (row[k].place.x * lean.way + row[k].place.y * lean.normal);
-    own.slope[k] = (lean.length / lean_cells) * (row[k].slope.x * lean.way + row[k].slope.y * lean.normal);
+    own.curve[k] = lean.length * (row[k].place.x * lean.direction + row[k].place.y * lean.normal);
+    own.slope[k] = (lean.length / lean_cells) * (row[k].slope.x * lean.direction + row[k].slope.y * lean.normal);
   }
 }
 
@@ -120,43 +120,44 @@ LeanCurves LeanCurves::less(const LeanCurves& other) const {
   return result;
 }
 
-FurPiece::FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,
-                   const LeanTable& leans, const PatternBlock* pattern) {
+FurTriangle::FurTriangle(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index,
+                         const LeanTable& leans, const PatternBlock* pattern) {
   const bool moved = !model.rest_positions.empty();
   for (int i = 0; i < 3; ++i) {
     const std::uint32_t v = model.triangles[index][i];
     Corner& corner = corners_[static_cast<std::size_t>(i)];
-    corner.place = corner.rest_place = model.positions[v], corner.normal = corner.rest_normal = model.normals[v];
-    if (moved) corner.rest_place = model.rest_positions[v], corner.rest_normal = model.rest_normals[v];
+    corner.place = corner.rest_position = model.positions[v], corner.normal = corner.rest_normal = model.normals[v];
+    if (moved) corner.rest_position = model.rest_positions[v], corner.rest_normal = model.rest_normals[v];
     corner.fur = vertices[v], corner.corner = model.corners[index][static_cast<std::size_t>(i)];
     grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
     density_[i] = corner.fur.density;
-    const CornerLean lean = corner_lean(corner.fur, corner.rest_place, corner.normal, model.tangents[v], pattern);
+    const CornerLean lean = corner_lean(corner.fur, corner.rest_position, corner.normal, model.tangents[v], pattern);
     corner.fur.length = lean.length;  // with the pattern's factor
     curves_.set(i, leans, lean);
   }
   const auto of_corners = [&](glm::vec3 Corner::*of) {
     return std::array{corners_[0].*of, corners_[1].*of, corners_[2].*of};
   };
-  if (moved) turn_ = turn_of_triangle(of_corners(&Corner::rest_place), of_corners(&Corner::place));
+  if (moved) rotation_ = rotation_of_triangle(of_corners(&Corner::rest_position), of_corners(&Corner::place));
 }
 
-glm::vec3 FurPiece::place(glm::vec3 share) const {
+glm::vec3 FurTriangle::place(glm::vec3 share) const {
   return share.x * corners_[0].place + share.y * corners_[1].place + share.z * corners_[2].place;
 }
 
-glm::vec3 FurPiece::rest_place(glm::vec3 share) const {
-  return share.x * corners_[0].rest_place + share.y * corners_[1].rest_place + share.z * corners_[2].rest_place;
+glm::vec3 FurTriangle::rest_position(glm::vec3 share) const {
+  return share.x * corners_[0].rest_position + share.y * corners_[1].rest_position +
+         share.z * corners_[2].rest_position;
 }
 
-RootFields FurPiece::fields(glm::vec3 share) const {
+RootFields FurTriangle::fields(glm::vec3 share) const {
   const auto mixed = [&](auto value) {
     return share.x * value(corners_[0]) + share.y * value(corners_[1]) + share.z * value(corners_[2]);
   };
   RootFields root;
   root.place = place(share);
   root.normal = unit_or_up(mixed([](const Corner& c) { return c.normal; }));
-  root.rest = {rest_place(share), unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), turn_};
+  root.rest = {rest_position(share), unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), rotation_};
   root.tile_u = unit_across(mixed([](const Corner& c) { return c.corner.tile_axis; }), root.normal);
   root.tile_v = glm::cross(root.normal, root.tile_u);
   root.length = mixed([](const Corner& c) { return c.fur.length; });

@@ -42,7 +42,7 @@ class LeanTable {
 };
 
 // The surface fields at a strand's root, as renderer/shells/fur/fur_vertex.glsl passes them to fragments: evaluated at
-// the corners of a piece and interpolated.
+// the corners of a triangle and interpolated.
 
 /// Returns the fields of all vertices.
 std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fields);
@@ -60,28 +60,28 @@ struct RootFields {
   int image = -1;
 };
 
-/// Returns the fields at a corner of a piece, except those that only strands need: axes of the tile, curl and clump.
+/// Returns the fields at a corner of a triangle, except those that only strands need: axes of the tile, curl and clump.
 RootFields corner_fields(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, int corner);
 
-/// The lean of the fur at a corner of a piece.
+/// The lean of the fur at a corner of a triangle.
 struct CornerLean {
   glm::vec3 normal{0, 1, 0};  // unit
   float length = 0;           // length of the fur, sizes
-  glm::vec3 way{0};           // direction along the skin, unit
+  glm::vec3 direction{0};     // direction along the skin, unit
   float inclination = 0;      // [0, 1]
 };
 /// Returns the lean at a corner. `pattern` is null where length and lean do not change with the position.
-CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_place, glm::vec3 normal, glm::vec3 tangent,
+CornerLean corner_lean(const FurVertex& vertex, glm::vec3 rest_position, glm::vec3 normal, glm::vec3 tangent,
                        const PatternBlock* pattern);
 
 /// The lean of the fur at a corner before and after wind or body moves it.
 struct CornerBend {
   CornerLean still, moved;
 };
-/// The bend at each corner of a piece.
-using PieceBend = std::array<CornerBend, 3>;
+/// The bend at each corner of a triangle.
+using TriangleBend = std::array<CornerBend, 3>;
 
-/// The lean curves of the fur on a piece, interpolated between those at its corners.
+/// The lean curves of the fur on a triangle, interpolated between those at its corners.
 class LeanCurves {
  public:
   void set(int corner, const LeanTable& leans, const CornerLean& lean);
@@ -97,32 +97,32 @@ class LeanCurves {
   std::array<Corner, 3> corners_;
 };
 
-/// A piece of fur with the data that its strands share. `share` is always barycentric coordinates.
-class FurPiece {
+/// A triangle of furred skin with the data that its strands share. `share` is always barycentric coordinates.
+class FurTriangle {
  public:
   /// `pattern` is null where length and lean do not change with the position.
-  FurPiece(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
-           const PatternBlock* pattern);
+  FurTriangle(const FurModel& model, std::span<const FurVertex> vertices, std::uint32_t index, const LeanTable& leans,
+              const PatternBlock* pattern);
 
   /// Shares of the strands that grow, in [0, 1]: by weight and length, and by density.
   float grown(glm::vec3 share) const { return glm::dot(share, grown_); }
   float density(glm::vec3 share) const { return glm::dot(share, density_); }
 
   glm::vec3 place(glm::vec3 share) const;
-  glm::vec3 rest_place(glm::vec3 share) const;
+  glm::vec3 rest_position(glm::vec3 share) const;
   RootFields fields(glm::vec3 share) const;
   const LeanCurves& curves() const { return curves_; }
 
  private:
   struct Corner {
-    glm::vec3 place, normal, rest_place, rest_normal;
+    glm::vec3 place, normal, rest_position, rest_normal;
     FurVertex fur;
     FurCorner corner;
   };
   std::array<Corner, 3> corners_;
   LeanCurves curves_;
   glm::vec3 grown_, density_;  // for each corner
-  glm::mat3 turn_{1};          // rotation from the rest pose
+  glm::mat3 rotation_{1};      // rotation from the rest pose
 };
 
 }  // namespace pelage

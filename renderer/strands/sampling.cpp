@@ -87,16 +87,16 @@ DiscreteSample DiscreteDistribution::sample(float u) const {
   return {chosen, weights_[static_cast<std::size_t>(chosen)] / total_};
 }
 
-glm::vec3 any_across(glm::vec3 normal) {
+glm::vec3 any_perpendicular(glm::vec3 normal) {
   const glm::vec3 axis = std::abs(normal.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
   return glm::normalize(glm::cross(normal, axis));
 }
 
 glm::vec3 cosine_direction(glm::vec3 normal, glm::vec2 u) {
   const float radius = std::sqrt(u.x), angle = 2 * std::numbers::pi_v<float> * u.y;
-  const glm::vec3 across = any_across(normal), up = glm::cross(normal, across);
-  const glm::vec3 way = radius * (std::cos(angle) * across + std::sin(angle) * up) + std::sqrt(1 - u.x) * normal;
-  return glm::normalize(way);
+  const glm::vec3 across = any_perpendicular(normal), up = glm::cross(normal, across);
+  const glm::vec3 direction = radius * (std::cos(angle) * across + std::sin(angle) * up) + std::sqrt(1 - u.x) * normal;
+  return glm::normalize(direction);
 }
 
 }  // namespace pelage

@@ -90,7 +90,7 @@ class DiscreteDistribution {
 };
 
 /// Returns a unit vector orthogonal to a unit normal.
-glm::vec3 any_across(glm::vec3 normal);
+glm::vec3 any_perpendicular(glm::vec3 normal);
 
 /// Returns a cosine-distributed direction about a unit normal: its pdf is its cosine to the normal over pi. u in [0,
 /// 1)^2.
@@ -106,7 +106,7 @@ class FibreFrame {
   FibreFrame(glm::vec3 tangent, glm::vec3 to_camera) : axis_(-tangent) {
     const glm::vec3 across = to_camera - axis_ * glm::dot(axis_, to_camera);
     const float length = glm::length(across);
-    towards_ = length > 1e-6f ? across / length : any_across(axis_);  // no azimuth along the strand
+    towards_ = length > 1e-6f ? across / length : any_perpendicular(axis_);  // no azimuth along the strand
     aside_ = glm::cross(axis_, towards_);
   }
 

@@ -15,13 +15,13 @@ namespace pelage {
 
 namespace {
 
-constexpr float turn = 2 * std::numbers::pi_v<float>;
+constexpr float two_pi = 2 * std::numbers::pi_v<float>;
 constexpr std::size_t max_knots = 64;
 
 /// Returns the phase of painted curls. It varies slowly over the tile, so that neighbouring strands curl together
 /// (curl_angle in paint_form.glsl).
-float curl_phase(glm::vec2 tile_place) {
-  return 2.2f * (std::sin(turn * tile_place.x + 0.7f) + std::sin(turn * tile_place.y + 2.1f));
+float curl_phase(glm::vec2 tile_position) {
+  return 2.2f * (std::sin(two_pi * tile_position.x + 0.7f) + std::sin(two_pi * tile_position.y + 2.1f));
 }
 
 /// The helix that paint adds at a root.
@@ -30,7 +30,7 @@ struct PaintedCurl {
 
   glm::vec2 at(float s) const {
     if (radius <= 0) return glm::vec2(0);
-    const float angle = turn * turns * s + phase;
+    const float angle = two_pi * turns * s + phase;
     return radius * std::min(1.0f, 4 * s) * glm::vec2(std::cos(angle), std::sin(angle));
   }
 };
@@ -47,7 +47,7 @@ PaintedCurl painted_curl(const Coat& coat, const Strand& strand, float curl) {
 /// The vector from a root to the middle of its clump or tuft, and the fraction of it that a strand has moved at the
 /// height 1.
 struct StrandForm::Pull {
-  glm::vec3 way{0};
+  glm::vec3 to_middle{0};
   float part = 0;
 
   float weight(float rise) const { return part * rise / (1 - part * rise); }
@@ -68,7 +68,7 @@ StrandForm::Pull StrandForm::clump_pull(const Strand& strand, const RootFields& 
 
 StrandForm::Pull StrandForm::tuft_pull(const RootFields& root) const {
   if (coat_.tufts.gather <= 0) return {};
-  const TuftPlace tuft = tuft_at(coat_.tufts, root.rest);
+  const TuftPull tuft = tuft_at(coat_.tufts, root.rest);
   const float radius = glm::length(tuft.to_middle) / std::max(1 - tuft.inside, 0.05f);
   return {tuft.to_middle, gathered(coat_.tufts, 1) * std::min(1.0f, root.length / std::max(radius, 1e-4f))};
 }
@@ -83,14 +83,15 @@ void StrandForm::sideways(std::uint32_t index, const RootFields& root, std::span
   float furthest = 1e-12f;
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const float s = tile_.along(static_cast<int>(k)) * reach, weight = clump.weight(s * std::sqrt(s));
-    on_tile[k] = offsets[k] + curl.at(s) + glm::vec2(clump.way) * weight;
+    on_tile[k] = offsets[k] + curl.at(s) + glm::vec2(clump.to_middle) * weight;
     furthest = std::max(furthest, glm::length(on_tile[k]) / (1 + weight));
   }
   const float limit = std::min(1.0f, root.length * reach / furthest);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const float s = tile_.along(static_cast<int>(k)) * reach, rise = s * std::sqrt(s), by_tuft = tuft.weight(rise);
     const glm::vec2 flat = limit * on_tile[k];
-    knots[k] = (flat.x * root.tile_u + flat.y * root.tile_v + by_tuft * tuft.way) / (1 + clump.weight(rise) + by_tuft);
+    knots[k] =
+        (flat.x * root.tile_u + flat.y * root.tile_v + by_tuft * tuft.to_middle) / (1 + clump.weight(rise) + by_tuft);
   }
 }
 

@@ -110,7 +110,7 @@ Hit StrandPart::hit(const Ray& ray, float distance, std::uint32_t segment, float
   return hit;
 }
 
-glm::vec3 StrandPart::stopped(std::uint32_t segment, float u) const {
+glm::vec3 StrandPart::relative_depth(std::uint32_t segment, float u) const {
   const std::size_t at = first_point(segment);
   const glm::vec3 colour = glm::mix(unpack_colour(strands_.colours[at]), unpack_colour(strands_.colours[at + 1]), u);
   return 1.0f - pale_transmittance * glm::sqrt(glm::min(colour, 1.0f));

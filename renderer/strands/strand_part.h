@@ -1,5 +1,5 @@
-// A part of the traced strands with its Embree scene and memory budget, and the expected number of strands on a piece
-// of the surface.
+// A part of the traced strands with its Embree scene and memory budget, and the expected number of strands on a
+// triangle of the surface.
 #pragma once
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 
 namespace pelage {
 
-/// Returns a piece's triangle on the sample tile, in sizes.
+/// Returns a triangle of the model on the sample tile, in sizes.
 inline std::array<glm::dvec2, 3> tile_triangle(const std::array<FurCorner, 3>& corners) {
   return {corners[0].tile_uv, corners[1].tile_uv, corners[2].tile_uv};
 }
 
-/// Returns the expected number of strands on a piece at full density; 0 where TileCells finds none.
+/// Returns the expected number of strands on a triangle at full density; 0 where TileCells finds none.
 inline double expected_strands(const std::array<FurCorner, 3>& corners, const Coat& coat) {
   const auto [a, b, c] = tile_triangle(corners);
   const glm::dvec2 furthest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
@@ -75,7 +75,7 @@ class StrandPart {
   Hit hit(const Ray& ray, float distance, std::uint32_t segment, float u) const;
   /// Returns the strand's optical depth by channel over that of a black strand, at `u` along a segment: [1 -
   /// pale_transmittance, 1].
-  glm::vec3 stopped(std::uint32_t segment, float u) const;
+  glm::vec3 relative_depth(std::uint32_t segment, float u) const;
   StrandId strand_of(std::uint32_t segment) const {
     return {number_, segment / static_cast<std::uint32_t>(strands_.segments)};
   }

@@ -31,51 +31,52 @@ std::size_t StrandSet::bytes() const {
 
 namespace {
 
-/// A piece of the surface, its centroid and its expected number of strands.
-struct Placed {
+/// A triangle of the surface, its centroid and its expected number of strands.
+struct WeightedTriangle {
   glm::vec3 middle;
-  std::uint32_t piece;
+  std::uint32_t triangle;
   double strands;
 };
 
-/// Halves a set of pieces across the longest side of its bounding box until each chunk expects few enough strands.
+/// Halves a set of triangles across the longest side of its bounding box until each chunk expects few enough strands.
 /// Chunks are compact, so that a local change touches few of them.
-void add_chunks(std::span<Placed> pieces, double strands_each, std::vector<StrandChunk>& chunks) {
+void add_chunks(std::span<WeightedTriangle> triangles, double strands_each, std::vector<StrandChunk>& chunks) {
   double strands = 0;
   glm::vec3 low(1e9f), high(-1e9f);
-  for (const Placed& placed : pieces)
-    low = glm::min(low, placed.middle), high = glm::max(high, placed.middle), strands += placed.strands;
-  if (pieces.size() == 1 || strands <= strands_each) {
+  for (const WeightedTriangle& weighted : triangles)
+    low = glm::min(low, weighted.middle), high = glm::max(high, weighted.middle), strands += weighted.strands;
+  if (triangles.size() == 1 || strands <= strands_each) {
     StrandChunk& chunk = chunks.emplace_back();
-    for (const Placed& placed : pieces) chunk.push_back(placed.piece);
+    for (const WeightedTriangle& weighted : triangles) chunk.push_back(weighted.triangle);
     std::sort(chunk.begin(), chunk.end());
     return;
   }
   const glm::vec3 size = high - low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::size_t half = pieces.size() / 2;
-  std::nth_element(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(half), pieces.end(),
-                   [axis](const Placed& a, const Placed& b) {
-                     return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis] : a.piece < b.piece;
+  const std::size_t half = triangles.size() / 2;
+  std::nth_element(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(half), triangles.end(),
+                   [axis](const WeightedTriangle& a, const WeightedTriangle& b) {
+                     return a.middle[axis] != b.middle[axis] ? a.middle[axis] < b.middle[axis]
+                                                             : a.triangle < b.triangle;
                    });
-  add_chunks(pieces.first(half), strands_each, chunks);
-  add_chunks(pieces.subspan(half), strands_each, chunks);
+  add_chunks(triangles.first(half), strands_each, chunks);
+  add_chunks(triangles.subspan(half), strands_each, chunks);
 }
 
 }  // namespace
 
 std::vector<StrandChunk> make_chunks(const FurModel& model, EachCoat<Coat> coats, double strands_each) {
-  std::vector<Placed> pieces;
-  pieces.reserve(model.triangles.size());
+  std::vector<WeightedTriangle> triangles;
+  triangles.reserve(model.triangles.size());
   for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
     const glm::uvec3 t = model.triangles[i];
     const glm::vec3 sum = model.positions[t.x] + model.positions[t.y] + model.positions[t.z];
     double strands = 0;
     for (const Coat& coat : coats) strands += expected_strands(model.corners[i], coat);
-    pieces.push_back({sum / 3.0f, i, strands});
+    triangles.push_back({sum / 3.0f, i, strands});
   }
   std::vector<StrandChunk> chunks;
-  if (!pieces.empty()) add_chunks(pieces, strands_each, chunks);
+  if (!triangles.empty()) add_chunks(triangles, strands_each, chunks);
   return chunks;
 }
 

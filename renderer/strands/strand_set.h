@@ -23,10 +23,10 @@ struct StrandRoot {
   float reach = 1;                       // height s of the tip in the fur, (0, 1]; that of the root is 0
   float stretch = 1;                     // factor on the lean curve of the fur
   float wetness = 0;                     // painted beyond the coat's own, [0, 1]
-  std::uint32_t piece = no_piece;        // index of the model's piece under the root
+  std::uint32_t triangle = no_triangle;  // index of the model's triangle under the root
   std::array<std::uint16_t, 2> share{};  // barycentric coordinates for its second and third corner, times 65535
 
-  static constexpr std::uint32_t no_piece = ~std::uint32_t{0};
+  static constexpr std::uint32_t no_triangle = ~std::uint32_t{0};
 };
 static_assert(sizeof(StrandRoot) == 36);
 

@@ -138,16 +138,16 @@ bool before(glm::dvec2 a, glm::dvec2 b) { return a.x < b.x || (a.x == b.x && a.y
 /// same result.
 struct Edge {
   Edge(glm::dvec2 from, glm::dvec2 to)
-      : turned(before(to, from)), low(turned ? to : from), way((turned ? from : to) - low) {}
+      : turned(before(to, from)), low(turned ? to : from), direction((turned ? from : to) - low) {}
 
   /// Returns twice the area of the triangle of the edge and p; above 0 to the left of the edge.
   double side(glm::dvec2 p) const {
-    const double left = way.x * (p.y - low.y) - way.y * (p.x - low.x);
+    const double left = direction.x * (p.y - low.y) - direction.y * (p.x - low.x);
     return turned ? -left : left;
   }
 
-  bool turned;  // the ends were swapped; points on the edge belong to the triangle left of `way`
-  glm::dvec2 low, way;
+  bool turned;  // the ends were swapped; points on the edge belong to the triangle left of `direction`
+  glm::dvec2 low, direction;
 };
 
 struct Span {
@@ -208,22 +208,22 @@ class HalfOpenTriangle {
 TileCells::TileCells(std::span<const Strand> strands, double tile, double share)
     : tile_(tile),
       side_(std::max(1, static_cast<int>(std::sqrt(static_cast<double>(strands.size()) * share / strands_of_cell)))) {
-  std::vector<std::uint32_t> kept;
+  std::vector<std::uint32_t> chosen;
   std::vector<std::size_t> cells;
   for (std::uint32_t i = 0; i < strands.size(); ++i) {
     if (!stays(i, share)) continue;
     const glm::dvec2 at = glm::clamp(glm::floor(strands[i].root / tile * double(side_)), 0.0, double(side_ - 1));
-    kept.push_back(i);
+    chosen.push_back(i);
     cells.push_back(static_cast<std::size_t>(at.y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(at.x));
   }
   first_.assign(static_cast<std::size_t>(side_ * side_) + 1, 0);
   for (const std::size_t cell : cells) ++first_[cell + 1];
   std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  strands_.resize(kept.size()), roots_.resize(kept.size());
+  strands_.resize(chosen.size()), roots_.resize(chosen.size());
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < kept.size(); ++i) {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
     const std::uint32_t at = next[cells[i]]++;
-    strands_[at] = kept[i], roots_[at] = strands[kept[i]].root;
+    strands_[at] = chosen[i], roots_[at] = strands[chosen[i]].root;
   }
 }
 

@@ -45,10 +45,10 @@ std::size_t TraceScene::backplate_bytes() const {
   return numbers * sizeof(float);
 }
 
-Ray TraceScene::ray_at(glm::vec2 place) const {
+Ray TraceScene::ray_at(glm::vec2 position) const {
   const FurCamera& camera = frame_.camera;
   const glm::vec2 size(frame_.width, frame_.height);
-  const glm::vec2 off = (place * 2.0f - size) / size.y * camera.tan_half_fov;
+  const glm::vec2 off = (position * 2.0f - size) / size.y * camera.tan_half_fov;
   return {.origin = camera.position,
           .direction = glm::normalize(camera.forward + camera.right * off.x - camera.up * off.y)};
 }
@@ -57,11 +57,11 @@ float TraceScene::pixel_at(float distance) const {
   return 2 * frame_.camera.tan_half_fov / static_cast<float>(frame_.height) * distance;
 }
 
-BackplatePixel TraceScene::backplate_at(glm::vec2 place) const {
+BackplatePixel TraceScene::backplate_at(glm::vec2 position) const {
   const FloatImage& beauty = base_.beauty;
   const auto scale = static_cast<float>(beauty.width) / static_cast<float>(frame_.width);
-  const int x = clamped_index(place.x * scale, 0, beauty.width - 1);
-  const int y = clamped_index(place.y * scale, 0, beauty.height - 1);
+  const int x = clamped_index(position.x * scale, 0, beauty.width - 1);
+  const int y = clamped_index(position.y * scale, 0, beauty.height - 1);
   const glm::vec4 light = texel(beauty, x, y);
   const float over = texel(base_.depth, x, y).x;
   if (!(light.a > 0.5f) || !(over > 0)) return {};

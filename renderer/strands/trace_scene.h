@@ -35,9 +35,9 @@ class TraceScene {
   float brightest() const { return brightest_; }      // upper bound of a sample's luminance
 
   /// Returns the ray through a position of the picture, in pixels from its top left corner.
-  Ray ray_at(glm::vec2 place) const;
+  Ray ray_at(glm::vec2 position) const;
   float pixel_at(float distance) const;  // width of a pixel at that distance, sizes
-  BackplatePixel backplate_at(glm::vec2 place) const;
+  BackplatePixel backplate_at(glm::vec2 position) const;
   /// Returns true if the ray passes near an eye; lids and cornea are only in the backplate.
   bool near_eye(const Ray& ray) const;
 

@@ -138,7 +138,7 @@ Status Tracer::begin(const FurModel& model, EachCoat<FurFields> fields, const Fu
   return {};
 }
 
-std::shared_ptr<Tracer::Picture> Tracer::set_aside() { return std::move(impl_->picture); }
+std::shared_ptr<Tracer::Picture> Tracer::suspend() { return std::move(impl_->picture); }
 
 std::size_t Tracer::picture_bytes() const {
   const Picture& picture = *impl_->picture;
@@ -163,12 +163,12 @@ bool Tracer::Picture::trace_tile(const World& world, int tile, const GoOn& go_on
     for (int x = left; x < std::min(left + Film::tile, film.width()); ++x) {
       const auto pixel = static_cast<std::uint32_t>(y * film.width() + x);
       Sampler sampler(pixel, static_cast<std::uint32_t>(film.samples(x, y)), trace.seed);
-      const glm::vec2 place = glm::vec2(x, y) + sampler.next2();
+      const glm::vec2 position = glm::vec2(x, y) + sampler.next2();
       const float time = blurred ? sampler.next() : 0;
       const bool paths = trace.transport == Transport::paths;
       film.add(x, y,
-               paths ? path_sample(scene, world, place, time, sampler)
-                     : transmitted_sample(scene, world, place, time, sampler));
+               paths ? path_sample(scene, world, position, time, sampler)
+                     : transmitted_sample(scene, world, position, time, sampler));
     }
   }
   return true;
@@ -201,10 +201,10 @@ Status Tracer::add_pass(const GoOn& go_on) {
   if (picture.report.end != TraceEnd::none) return {};
   const Stopwatch passed;
   const std::vector<int>& tiles = picture.active;
-  const bool whole = for_each_until_false(
+  const bool completed = for_each_until_false(
       impl_->workers, tiles.size(), [&](std::size_t i) { return picture.trace_tile(impl_->world, tiles[i], go_on); });
   picture.report.trace_ms += passed.milliseconds();
-  if (!whole) return not_wanted();
+  if (!completed) return cancelled_status();
   ++picture.report.passes;
   picture.judge();
   return {};

@@ -51,7 +51,7 @@ class Tracer {
   /// A partly traced picture, without strands.
   struct Picture;
   /// Removes the picture from the tracer, which can then begin or resume another.
-  std::shared_ptr<Picture> set_aside();
+  std::shared_ptr<Picture> suspend();
   /// Returns the bytes that the picture takes.
   std::size_t picture_bytes() const;
   /// Continues a picture that was set aside, with the same bits as without the pause. Model and fields must be those

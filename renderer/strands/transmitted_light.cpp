@@ -37,35 +37,37 @@ glm::vec3 ambient_share(const Look& look, glm::vec3 transmittance) {
 }
 
 /// Lights a strand by one light or by the environment, chosen at random by importance.
-void light_strand(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler, FilmSample& sample) {
+void light_strand(const TraceScene& scene, const World& world, const CameraHit& seen, Sampler& sampler,
+                  FilmSample& sample) {
   const StrandLights& lights = scene.lights();
   const Hit& hit = seen.hit;
-  const glm::vec3 place = sample.position, to_camera = -seen.ray.direction;
+  const glm::vec3 position = sample.position, to_camera = -seen.ray.direction;
   DiscreteDistribution distribution;
-  for (int i = 0; i < lights.count(); ++i) distribution.add(lights.importance(i, place));
+  for (int i = 0; i < lights.count(); ++i) distribution.add(lights.importance(i, position));
   distribution.add(lights.mean_environment());
   const DiscreteSample chosen = distribution.sample(sampler.next());
   const glm::vec2 u = sampler.next2();
   if (chosen.index < 0) return;
   if (chosen.index == lights.count()) {
     const glm::vec3 direction = cosine_direction(hit.normal, u);
-    const glm::vec3 transmittance = world.transmittance(
-        {.origin = place, .direction = direction, .without = hit.strand, .time = seen.ray.time}, scene.self_shadow());
+    const glm::vec3 transmittance =
+        world.transmittance({.origin = position, .direction = direction, .ignored = hit.strand, .time = seen.ray.time},
+                            scene.self_shadow());
     sample.radiance += hit.colour * lights.environment(direction) * ambient_share(scene.frame().look, transmittance) /
                        chosen.probability;
     return;
   }
-  const LightSample light = lights.sample(chosen.index, place, u);
-  const glm::vec3 whole = light.radiance / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
-  if (luminance(whole) <= 0) return;
-  const glm::vec3 transmittance = world.transmittance({.origin = place,
+  const LightSample light = lights.sample(chosen.index, position, u);
+  const glm::vec3 unshadowed = light.radiance / chosen.probability * scattered(scene, hit, light.to_light, to_camera);
+  if (luminance(unshadowed) <= 0) return;
+  const glm::vec3 transmittance = world.transmittance({.origin = position,
                                                        .direction = light.to_light,
                                                        .t_max = light.distance,
-                                                       .without = hit.strand,
+                                                       .ignored = hit.strand,
                                                        .time = seen.ray.time},
                                                       scene.self_shadow());
-  sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
-  sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
+  sample.radiance += unshadowed * transmittance, sample.direct += unshadowed * transmittance;
+  sample.light += glm::vec2(luminance(unshadowed * transmittance), luminance(unshadowed));
 }
 
 void bound(const TraceScene& scene, FilmSample& sample) {
@@ -78,17 +80,17 @@ void bound(const TraceScene& scene, FilmSample& sample) {
 
 }  // namespace
 
-Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float time) {
-  Seen seen{.ray = scene.ray_at(place), .hit = {}, .base = {}};
+CameraHit trace_camera_ray(const TraceScene& scene, const World& world, glm::vec2 position, float time) {
+  CameraHit seen{.ray = scene.ray_at(position), .hit = {}, .base = {}};
   seen.ray.time = time;
   seen.hit = world.intersect(seen.ray);
   const bool strand = seen.hit.kind == HitKind::strand;
   const bool eye = scene.near_eye(seen.ray);
   if (!eye && seen.hit.kind != HitKind::skin) return seen;
-  seen.base = scene.backplate_at(place);
+  seen.base = scene.backplate_at(position);
   if (seen.hit.kind == HitKind::skin) {
-    const glm::dvec3 place_on_skin(seen.ray.origin + seen.ray.direction * seen.hit.distance);
-    seen.bare = fur_share(scene.frame().skin, place_on_skin, glm::dvec3(seen.base.normal)) < 0.5;
+    const glm::dvec3 skin_position(seen.ray.origin + seen.ray.direction * seen.hit.distance);
+    seen.bare = fur_share(scene.frame().skin, skin_position, glm::dvec3(seen.base.normal)) < 0.5;
   }
   if (!eye) return seen;
   // Lids and cornea, which only the backplate has, lie in front of the eyeball that rays hit.
@@ -101,7 +103,7 @@ Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float
   return seen;
 }
 
-FilmSample features_of(const TraceScene& scene, const Seen& seen) {
+FilmSample features_of(const TraceScene& scene, const CameraHit& seen) {
   FilmSample sample;
   if (seen.hit.kind == HitKind::none) return sample;
   const bool strand = seen.hit.kind == HitKind::strand;
@@ -116,13 +118,13 @@ FilmSample features_of(const TraceScene& scene, const Seen& seen) {
   return sample;
 }
 
-void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
+void light_backplate(const TraceScene& scene, const World& world, const CameraHit& seen, Sampler& sampler,
                      FilmSample& sample) {
   const StrandLights& lights = scene.lights();
   // At edges a ray may hit skin where the backplate has none.
   const BackplatePixel lone{.ambient = seen.hit.colour * lights.mean_environment(), .normal = seen.hit.normal};
   const BackplatePixel base = seen.base.there ? seen.base : lone;
-  const glm::vec3 place = sample.position + base.normal * leave_skin;
+  const glm::vec3 position = sample.position + base.normal * ray_offset;
   const float ambient = luminance(base.ambient), direct = luminance(base.direct);
   const float pick = sampler.next(), total = ambient + direct;
   const float which = sampler.next();
@@ -131,52 +133,52 @@ void light_backplate(const TraceScene& scene, const World& world, const Seen& se
   if (pick * total < ambient) {
     const glm::vec3 direction = cosine_direction(base.normal, u);
     const glm::vec3 transmittance =
-        world.transmittance({.origin = place, .direction = direction, .time = seen.ray.time}, scene.self_shadow());
+        world.transmittance({.origin = position, .direction = direction, .time = seen.ray.time}, scene.self_shadow());
     sample.radiance += base.ambient * ambient_share(scene.frame().look, transmittance) * (total / ambient);
     return;
   }
   DiscreteDistribution distribution;
   for (int i = 0; i < lights.count(); ++i) {
-    const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
+    const LightSample middle = lights.sample(i, position, glm::vec2(0.5f));
     const float facing = glm::dot(middle.to_light, base.normal);
-    distribution.add(lights.importance(i, place) * std::max(facing + (seen.eye ? 0.3f : 0.0f), 0.0f));
+    distribution.add(lights.importance(i, position) * std::max(facing + (seen.eye ? 0.3f : 0.0f), 0.0f));
   }
   const DiscreteSample chosen = distribution.sample(which);
-  const glm::vec3 whole = base.direct * (total / direct);
+  const glm::vec3 unshadowed = base.direct * (total / direct);
   glm::vec3 transmittance(1);  // if no light explains the light of the backplate, nothing occludes it
   if (chosen.index >= 0) {
-    const LightSample light = lights.sample(chosen.index, place, u);
+    const LightSample light = lights.sample(chosen.index, position, u);
     transmittance = world.transmittance(
-        {.origin = place, .direction = light.to_light, .t_max = light.distance, .time = seen.ray.time},
+        {.origin = position, .direction = light.to_light, .t_max = light.distance, .time = seen.ray.time},
         scene.self_shadow());
   }
-  sample.radiance += whole * transmittance, sample.direct += whole * transmittance;
-  sample.light += glm::vec2(luminance(whole * transmittance), luminance(whole));
+  sample.radiance += unshadowed * transmittance, sample.direct += unshadowed * transmittance;
+  sample.light += glm::vec2(luminance(unshadowed * transmittance), luminance(unshadowed));
 }
 
 void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, Sampler& sampler, FilmSample& sample) {
   const std::optional<FurGround>& ground = scene.frame().ground;
   if (!ground || !(ray.direction.y < 0) || !(ray.origin.y > ground->height)) return;
   const float distance = (ray.origin.y - ground->height) / -ray.direction.y;
-  const glm::vec3 place = ray.origin + ray.direction * distance + glm::vec3(0, leave_skin, 0);
-  const float from_middle = glm::length(glm::vec2(place.x, place.z));
+  const glm::vec3 position = ray.origin + ray.direction * distance + glm::vec3(0, ray_offset, 0);
+  const float from_middle = glm::length(glm::vec2(position.x, position.z));
   if (!(from_middle < 3.5f)) return;
   const StrandLights& lights = scene.lights();
   const Look& look = scene.frame().look;
   DiscreteDistribution distribution;
   for (int i = 0; i < lights.count(); ++i) {
-    const LightSample middle = lights.sample(i, place, glm::vec2(0.5f));
-    distribution.add(static_cast<float>(look.diffuse) * lights.importance(i, place) *
+    const LightSample middle = lights.sample(i, position, glm::vec2(0.5f));
+    distribution.add(static_cast<float>(look.diffuse) * lights.importance(i, position) *
                      std::max(middle.to_light.y, 0.0f));
   }
   distribution.add(static_cast<float>(look.ambient));
   const DiscreteSample chosen = distribution.sample(sampler.next());
   const glm::vec2 u = sampler.next2();
   if (chosen.index < 0) return;
-  Ray towards{.origin = place, .direction = cosine_direction({0, 1, 0}, u), .time = ray.time};
+  Ray towards{.origin = position, .direction = cosine_direction({0, 1, 0}, u), .time = ray.time};
   float strength = ground->contact;
   if (chosen.index < lights.count()) {
-    const LightSample light = lights.sample(chosen.index, place, u);
+    const LightSample light = lights.sample(chosen.index, position, u);
     towards.direction = light.to_light, towards.t_max = light.distance;
     strength = ground->shadow;
   }
@@ -185,9 +187,9 @@ void shade_ground(const TraceScene& scene, const World& world, const Ray& ray, S
   sample.alpha = strength * (1 - lit) * edge;
 }
 
-FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time,
+FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 position, float time,
                               Sampler& sampler) {
-  const Seen seen = look_at(scene, world, place, time);
+  const CameraHit seen = trace_camera_ray(scene, world, position, time);
   FilmSample sample = features_of(scene, seen);
   switch (seen.hit.kind) {
     case HitKind::none: shade_ground(scene, world, seen.ray, sampler, sample); break;

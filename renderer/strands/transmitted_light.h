@@ -10,25 +10,25 @@
 namespace pelage {
 
 /// Traces a camera ray through a pixel position and lights its hit. `time` is Ray::time.
-FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 place, float time,
+FilmSample transmitted_sample(const TraceScene& scene, const World& world, glm::vec2 position, float time,
                               Sampler& sampler);
 
 /// The first hit of a camera ray; also used by paths.h.
-struct Seen {
+struct CameraHit {
   Ray ray;
   Hit hit;              // none, a strand, or skin; eyes count as skin
   BackplatePixel base;  // backplate of skin and eyes
   bool eye = false;
   bool bare = false;  // skin without fur
 };
-Seen look_at(const TraceScene& scene, const World& world, glm::vec2 place, float time);
+CameraHit trace_camera_ray(const TraceScene& scene, const World& world, glm::vec2 position, float time);
 
 /// Returns a sample with everything that does not depend on light: position, normal, tangent, albedo and others.
-FilmSample features_of(const TraceScene& scene, const Seen& seen);
+FilmSample features_of(const TraceScene& scene, const CameraHit& seen);
 
 /// Lights skin and eyes: takes their light from the backplate and attenuates it by the fur and body on the way to one
 /// light.
-void light_backplate(const TraceScene& scene, const World& world, const Seen& seen, Sampler& sampler,
+void light_backplate(const TraceScene& scene, const World& world, const CameraHit& seen, Sampler& sampler,
                      FilmSample& sample);
 
 /// Shades the ground if the ray hits it: shadows are black with an alpha.

@@ -17,8 +17,8 @@ namespace {
 /// not set, because that would limit oneTBB in the whole process; scenes are built on the caller's thread instead.
 constexpr const char* device_settings = "max_isa=avx2,set_affinity=0,hugepages=0";
 constexpr double strands_of_part = 6000;
-constexpr float most = 1e18f;        // sizes; Embree's own limit is 1.8e18
-constexpr float black_depth = 5.5f;  // optical depth beyond which transmittance counts as 0
+constexpr float max_coordinate = 1e18f;  // sizes; Embree's own limit is 1.8e18
+constexpr float black_depth = 5.5f;      // optical depth beyond which transmittance counts as 0
 
 bool count_memory(void* budget, ssize_t bytes, bool) { return static_cast<MemoryBudget*>(budget)->take(bytes); }
 
@@ -27,7 +27,7 @@ struct Query {
   RTCIntersectContext context{};
   const Ray* ray = nullptr;
   float depth = 0;        // optical depth of a black strand
-  glm::vec3 gathered{0};  // sum of StrandPart::stopped over the strands crossed
+  glm::vec3 gathered{0};  // sum of StrandPart::relative_depth over the strands crossed
   bool through = true;    // false once the ray hit something opaque
 };
 
@@ -38,10 +38,10 @@ void leave_own(const RTCFilterFunctionNArguments* arguments) {
   const auto* part = static_cast<const StrandPart*>(arguments->geometryUserPtr);
   if (!part) return;
   const std::uint32_t segment = RTCHitN_primID(arguments->hit, 1, 0);
-  if (part->strand_of(segment) == query_of(arguments).ray->without) arguments->valid[0] = 0;
+  if (part->strand_of(segment) == query_of(arguments).ray->ignored) arguments->valid[0] = 0;
 }
 
-/// Sums StrandPart::stopped; ends the ray at an opaque hit or once too little light is left.
+/// Sums StrandPart::relative_depth; ends the ray at an opaque hit or once too little light is left.
 void gather_depth(const RTCFilterFunctionNArguments* arguments) {
   Query& query = query_of(arguments);
   const auto* part = static_cast<const StrandPart*>(arguments->geometryUserPtr);
@@ -50,8 +50,8 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
     return;
   }
   const std::uint32_t segment = RTCHitN_primID(arguments->hit, 1, 0);
-  if (part->strand_of(segment) != query.ray->without) {
-    query.gathered += part->stopped(segment, RTCHitN_u(arguments->hit, 1, 0));
+  if (part->strand_of(segment) != query.ray->ignored) {
+    query.gathered += part->relative_depth(segment, RTCHitN_u(arguments->hit, 1, 0));
     const float min = std::min({query.gathered.r, query.gathered.g, query.gathered.b});
     if (min * query.depth > black_depth) {
       query.through = false;
@@ -64,7 +64,8 @@ void gather_depth(const RTCFilterFunctionNArguments* arguments) {
 /// Returns true if Embree accepts the ray: numbers beyond its range would end the process.
 bool can_be_cast(const Ray& ray) {
   const glm::vec3 furthest = glm::max(glm::abs(ray.origin), glm::abs(ray.direction));
-  const bool in_range = furthest.x <= most && furthest.y <= most && furthest.z <= most;  // false for NaN
+  const bool in_range =
+      furthest.x <= max_coordinate && furthest.y <= max_coordinate && furthest.z <= max_coordinate;  // false for NaN
   const float square = glm::dot(ray.direction, ray.direction);
   return in_range && square > 0.5f && square < 2 && ray.t_max >= 0;
 }
@@ -86,12 +87,12 @@ RTCRay ray_of(const Ray& ray) {
 
 EmbreeGeometry make_skin(RTCDevice device, const FurModel& model, std::span<const glm::uvec3> triangles) {
   EmbreeGeometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-  auto* places = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+  auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
       geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), model.positions.size()));
   auto* corners = static_cast<glm::uvec3*>(rtcSetNewGeometryBuffer(
       geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, sizeof(glm::uvec3), triangles.size()));
-  if (!places || !corners) return nullptr;
-  std::copy(model.positions.begin(), model.positions.end(), places);
+  if (!positions || !corners) return nullptr;
+  std::copy(model.positions.begin(), model.positions.end(), positions);
   std::copy(triangles.begin(), triangles.end(), corners);
   rtcCommitGeometry(geometry.get());
   return geometry;
@@ -159,7 +160,7 @@ std::size_t World::Impl::object_of(std::size_t part) const {
   return part + 1 == parts.size() ? curves_object : first_coat_object + part / chunks.size();
 }
 
-/// Divides the surface into chunks and builds the skin: each triangle once, with the chunk of one of its pieces.
+/// Divides the surface into chunks and builds the skin: each triangle once, with a chunk that has it.
 /// Returns false if memory does not suffice.
 bool World::Impl::set_model(const FurModel& next, EachCoat<GrowRecipe> recipes) {
   std::vector<Division> wanted;
@@ -177,7 +178,7 @@ bool World::Impl::set_model(const FurModel& next, EachCoat<GrowRecipe> recipes) 
   grown_of.assign(of_coats, {});
   std::vector<std::pair<glm::uvec3, std::uint32_t>> faces;
   for (std::uint32_t c = 0; c < chunks.size(); ++c) {
-    for (const std::uint32_t piece : chunks[c]) faces.emplace_back(next.triangles[piece], c);
+    for (const std::uint32_t triangle : chunks[c]) faces.emplace_back(next.triangles[triangle], c);
   }
   const auto key = [](const auto& face) { return std::array{face.first.x, face.first.y, face.first.z}; };
   std::sort(faces.begin(), faces.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
@@ -204,12 +205,12 @@ bool World::Impl::set_curves(const FurFrame& frame) {
 }
 
 bool World::Impl::grow(const Grower& grower, std::size_t part, std::atomic<std::size_t>& grown) {
-  const StrandChunk& pieces = chunks[part % chunks.size()];
-  const std::uint64_t fingerprint = grower.fingerprint(pieces);
+  const StrandChunk& chunk = chunks[part % chunks.size()];
+  const std::uint64_t fingerprint = grower.fingerprint(chunk);
   if (grown_of[part] == fingerprint) return true;
   grown_of[part].reset();
   parts[part]->drop();
-  if (!parts[part]->set(device.get(), grower.grow(pieces, budget.left()))) return false;
+  if (!parts[part]->set(device.get(), grower.grow(chunk, budget.left()))) return false;
   grown_of[part] = fingerprint;
   grown += parts[part]->strands().count();
   return true;
@@ -264,12 +265,12 @@ Result<World::Change> World::update(const FurModel& model, EachCoat<FurFields> f
     growers.push_back(std::make_unique<const Grower>(model, fields[c], recipes[c]));
   std::atomic<std::size_t> grown{0};
   std::atomic<bool> wanted{true};
-  const bool whole = for_each_until_false(workers, world.grown_of.size(), [&](std::size_t part) {
+  const bool completed = for_each_until_false(workers, world.grown_of.size(), [&](std::size_t part) {
     if (!go_on()) wanted = false;
     return wanted && world.grow(*growers[part / world.chunks.size()], part, grown);
   });
-  if (!wanted) return not_wanted();
-  if (!whole || !world.join(frame)) return no_memory();
+  if (!wanted) return cancelled_status();
+  if (!completed || !world.join(frame)) return no_memory();
   Change change{.grown = grown, .strands = 0};
   for (const auto& part : world.parts) change.strands += part->strands().count();
   return change;
@@ -283,7 +284,7 @@ Hit World::intersect(const Ray& ray) const {
   Query query;
   rtcInitIntersectContext(&query.context);
   query.ray = &ray;
-  if (ray.without != StrandId{}) query.context.filter = leave_own;
+  if (ray.ignored != StrandId{}) query.context.filter = leave_own;
   RTCRayHit found{ray_of(ray), {}};
   found.hit.geomID = found.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(world.all.get(), &query.context, &found);
@@ -307,7 +308,7 @@ bool World::occluded(const Ray& ray) const {
   Query query;
   rtcInitIntersectContext(&query.context);
   query.ray = &ray;
-  if (ray.without != StrandId{}) query.context.filter = leave_own;
+  if (ray.ignored != StrandId{}) query.context.filter = leave_own;
   RTCRay towards = ray_of(ray);
   rtcOccluded1(impl_->all.get(), &query.context, &towards);
   return towards.tfar < 0;

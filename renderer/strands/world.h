@@ -40,12 +40,12 @@ struct StrandId {
 };
 
 /// Offset from the skin at which rays start, sizes; avoids self-intersection.
-inline constexpr float leave_skin = 1e-5f;
+inline constexpr float ray_offset = 1e-5f;
 
 struct Ray {
   glm::vec3 origin{0}, direction{0, 0, 1};  // unit
   float t_max = 1e30f;
-  StrandId without = {};
+  StrandId ignored = {};
   float time = 0;  // shutter time, [0, 1]: 0 as the shutter opens, 1 as it closes
 };
 
@@ -95,7 +95,7 @@ class World {
   /// Returns true if anything is hit before t_max.
   bool occluded(const Ray& ray) const;
   /// Returns the transmittance along a ray, by channel: 0 through skin; each strand adds an optical depth of `depth`
-  /// times StrandPart::stopped; below 1/250 it counts as 0.
+  /// times StrandPart::relative_depth; below 1/250 it counts as 0.
   glm::vec3 transmittance(const Ray& ray, float depth) const;
 
  private:
@@ -104,6 +104,6 @@ class World {
 };
 
 /// The status (unavailable) of work that was cancelled.
-inline Status not_wanted() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
+inline Status cancelled_status() { return failure(Code::unavailable, "nobody waits for this picture any more"); }
 
 }  // namespace pelage

@@ -31,9 +31,9 @@ glm::mat4 projection(const FurFrame& frame) {
 }
 
 glm::mat4 view(const FurCamera& camera) {
-  const glm::mat3 turn(camera.right, camera.up, -camera.forward);
-  glm::mat4 matrix(glm::transpose(turn));
-  matrix[3] = glm::vec4(-(glm::transpose(turn) * camera.position), 1);
+  const glm::mat3 rotation(camera.right, camera.up, -camera.forward);
+  glm::mat4 matrix(glm::transpose(rotation));
+  matrix[3] = glm::vec4(-(glm::transpose(rotation) * camera.position), 1);
   return matrix;
 }
 
@@ -106,9 +106,9 @@ Axes axes_along(glm::vec3 forward) {
 }
 
 glm::mat4 view_matrix(const Axes& axes, glm::vec3 viewpoint) {
-  const glm::mat3 turn = glm::transpose(glm::mat3(axes.right, axes.up, -axes.forward));
-  glm::mat4 matrix(turn);
-  matrix[3] = glm::vec4(-(turn * viewpoint), 1);
+  const glm::mat3 rotation = glm::transpose(glm::mat3(axes.right, axes.up, -axes.forward));
+  glm::mat4 matrix(rotation);
+  matrix[3] = glm::vec4(-(rotation * viewpoint), 1);
   return matrix;
 }
 
@@ -169,9 +169,9 @@ SkinEntry make_entry(const FurSkinRegion& region) {
   SkinEntry entry;
   entry.across = glm::vec4(rows[0], region.softness);
   entry.up = glm::vec4(rows[1], steepest);
-  entry.along = glm::vec4(rows[2], region.cosine_whole);
+  entry.along = glm::vec4(rows[2], region.cosine_full);
   entry.centre = glm::vec4(region.centre, region.scatter);
-  entry.facing = glm::vec4(region.facing, std::min(region.cosine_none, region.cosine_whole - 1e-6));
+  entry.facing = glm::vec4(region.facing, std::min(region.cosine_none, region.cosine_full - 1e-6));
   entry.colour = glm::vec4(region.colour, region.shine);
   entry.finish = glm::vec4(region.roughness, region.wetness, region.bumps.height, region.bumps.size);
   return entry;

@@ -93,7 +93,7 @@ std::vector<glm::vec3> by_vertex(std::span<const glm::vec3> values, std::span<co
   return result;
 }
 
-GLuint place_of(Attribute attribute) { return static_cast<GLuint>(attribute); }
+GLuint location_of(Attribute attribute) { return static_cast<GLuint>(attribute); }
 
 /// Returns the image at another size, by nearest texels.
 std::vector<std::uint8_t> resized(const ImageView& image, int width, int height) {
@@ -174,9 +174,9 @@ void ModelBuffers::make_vertex_array(const Gl& gl) {
   gl.VertexArrayVertexBuffer(id, 3, variation_.id(), 0, sizeof(glm::vec4));
   gl.VertexArrayElementBuffer(id, elements_.id());
   const auto add = [&](Attribute attribute, GLint size, std::size_t offset, GLuint buffer) {
-    gl.EnableVertexArrayAttrib(id, place_of(attribute));
-    gl.VertexArrayAttribFormat(id, place_of(attribute), size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    gl.VertexArrayAttribBinding(id, place_of(attribute), buffer);
+    gl.EnableVertexArrayAttrib(id, location_of(attribute));
+    gl.VertexArrayAttribFormat(id, location_of(attribute), size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    gl.VertexArrayAttribBinding(id, location_of(attribute), buffer);
   };
   add(Attribute::position, 3, offsetof(RenderVertex, position), 0);
   add(Attribute::normal, 3, offsetof(RenderVertex, normal), 0);
@@ -305,10 +305,10 @@ ModelBuffers::DrawLists ModelBuffers::lists_for(const Gl& gl, const ShellView& v
   };
   lists.back_facing = shells_of(sorted.back_facing), lists.facing = shells_of(sorted.facing);
   std::reverse(lists.back_facing.begin(), lists.back_facing.end());
-  std::vector<glm::uvec3> shown = sorted.facing[static_cast<std::size_t>(highest)];
+  std::vector<glm::uvec3> visible = sorted.facing[static_cast<std::size_t>(highest)];
   const std::vector<glm::uvec3>& behind = sorted.back_facing[static_cast<std::size_t>(highest)];
-  shown.insert(shown.end(), behind.begin(), behind.end());
-  lists.shown = append(shown, elements);
+  visible.insert(visible.end(), behind.begin(), behind.end());
+  lists.visible = append(visible, elements);
   gl.NamedBufferData(elements_.id(), static_cast<GLsizeiptr>(elements.size() * sizeof(glm::uvec3)), elements.data(),
                      GL_STREAM_DRAW);
   return lists;

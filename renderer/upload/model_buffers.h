@@ -72,7 +72,9 @@ class ModelBuffers {
   std::span<const glm::vec3> normals() const { return normals_; }
   std::span<const glm::uvec3> triangles() const { return triangles_; }
   /// Returns the rest-pose positions of render vertices, which patterns and tufts use.
-  std::span<const glm::vec3> rest_places() const { return rest_positions_.empty() ? positions_ : rest_positions_; }
+  std::span<const glm::vec3> rest_pose_positions() const {
+    return rest_positions_.empty() ? positions_ : rest_positions_;
+  }
   VolumeSurface surface() const { return {positions_, normals_, triangles_, rest_positions_, rest_normals_}; }
   /// Uploads the variation of the fur at each render vertex (renderer/pattern); only programs with a pattern read it.
   void send_variation(const Gl& gl, std::span<const glm::vec4> values);
@@ -82,8 +84,8 @@ class ModelBuffers {
     GLsizei first = 0, count = 0;
   };
   struct DrawLists {
-    DrawList all;    // every triangle
-    DrawList shown;  // triangles whose fur is drawn
+    DrawList all;      // every triangle
+    DrawList visible;  // triangles whose fur is drawn
     // For each shell, in blending order: back-facing triangles from the outside in, then front-facing ones from the
     // inside out.
     std::vector<std::pair<int, DrawList>> back_facing, facing;

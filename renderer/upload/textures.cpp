@@ -99,7 +99,7 @@ void TuftTextures::prepare(const Gl& gl, std::uint64_t model_id, const Tufts& tu
 void TuftTextures::send(const Gl& gl, const Tufts& tufts, const ModelBuffers& model) {
   const float longest = longest_pull(tufts);
   const SurfaceVolume volume = make_surface_volume(model.surface(), [&](const RestPosePoint& middle) {
-    const TuftPlace tuft = tuft_at(tufts, middle);
+    const TuftPull tuft = tuft_at(tufts, middle);
     return glm::vec4(0.5f + 0.5f * tuft.to_middle / longest, tuft.inside);
   });
   volume_ = volume_texture(gl, volume);
@@ -122,7 +122,7 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
     send_volume(gl, block, model);
     std::vector<glm::vec4> variation;
     variation.reserve(model.positions().size());
-    for (const glm::vec3& place : model.rest_places()) variation.push_back(pattern_variation(block, place));
+    for (const glm::vec3& place : model.rest_pose_positions()) variation.push_back(pattern_variation(block, place));
     model.send_variation(gl, variation);
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, pattern_binding, uniforms_.id());

@@ -8,18 +8,18 @@ namespace pelage {
 Result<FilePattern> FilePattern::create(const std::string& pattern, const std::string& folder,
                                         const std::string& pointer) {
   const std::filesystem::path path(pattern);
-  const std::string whole = (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
-  const std::size_t name = whole.size() - path.filename().string().size(), first = whole.find('#', name);
-  if (whole.find('#') < name)
+  const std::string full_path = (path.is_absolute() ? path : std::filesystem::path(folder) / path).string();
+  const std::size_t name = full_path.size() - path.filename().string().size(), first = full_path.find('#', name);
+  if (full_path.find('#') < name)
     return failure(Code::invalid, "A folder's name has a #.", pointer, "# in the name of the file only");
   FilePattern result;
-  result.before_ = whole.substr(0, first);
+  result.before_ = full_path.substr(0, first);
   if (first == std::string::npos) return result;
-  const std::size_t last = whole.find_first_not_of('#', first);
-  if (last != std::string::npos && whole.find('#', last) != std::string::npos)
+  const std::size_t last = full_path.find_first_not_of('#', first);
+  if (last != std::string::npos && full_path.find('#', last) != std::string::npos)
     return failure(Code::invalid, "The digits of a frame stand in one place.", pointer, "one run of #");
-  if (last != std::string::npos) result.after_ = whole.substr(last);
-  result.digits_ = std::min(last, whole.size()) - first;
+  if (last != std::string::npos) result.after_ = full_path.substr(last);
+  result.digits_ = std::min(last, full_path.size()) - first;
   return result;
 }
 

@@ -30,13 +30,13 @@ bool take(std::string_view& text, std::string_view any_of) {
 }
 
 Status add_part(std::string_view part, std::vector<int>& frames) {
-  std::string_view rest = part;
+  std::string_view remaining = part;
   int first = 0, last = 0, step = 1;
-  if (!take_number(rest, first)) return refused_part(part);
+  if (!take_number(remaining, first)) return refused_part(part);
   last = first;
-  if (take(rest, "-") && !take_number(rest, last)) return refused_part(part);
-  if (take(rest, "x:") && !take_number(rest, step)) return refused_part(part);
-  if (!rest.empty()) return refused_part(part);
+  if (take(remaining, "-") && !take_number(remaining, last)) return refused_part(part);
+  if (take(remaining, "x:") && !take_number(remaining, step)) return refused_part(part);
+  if (!remaining.empty()) return refused_part(part);
   if (last < first) return refused_part(part, "ends before it begins");
   if (step < 1) return refused_part(part, "has a step below 1");
   for (int frame = first; frame <= last && frames.size() <= max_frames; frame += step) frames.push_back(frame);

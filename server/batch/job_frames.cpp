@@ -82,15 +82,15 @@ class Planner {
   }
 
   /// The position of a frame in the job.
-  struct Place {
+  struct FramePosition {
     std::size_t index = 0, count = 1;  // number of frames before it, and of all frames
     double spacing = 1;                // mean difference of the numbers of adjacent frames
   };
 
-  Result<JobFrame> frame(int number, const Place& place) const {
-    Result<JobMoment> own = moment(number, static_cast<double>(place.index) / static_cast<double>(place.count));
+  Result<JobFrame> frame(int number, const FramePosition& position) const {
+    Result<JobMoment> own = moment(number, static_cast<double>(position.index) / static_cast<double>(position.count));
     if (!own) return own.status();
-    if (job_.time_lapse) own->request.revision = revision_at(place.index, place.count);
+    if (job_.time_lapse) own->request.revision = revision_at(position.index, position.count);
     JobFrame frame{.number = number,
                    .moment = std::move(*own),
                    .open = {},
@@ -98,7 +98,7 @@ class Planner {
                    .file = pattern_.file(number),
                    .fingerprint = {},
                    .tiles = {}};
-    if (Status opened = open_shutter(frame, place); !opened.ok()) return opened;
+    if (Status opened = open_shutter(frame, position); !opened.ok()) return opened;
     const Result<std::string> swing = moments_ ? moments_->identity_of_swing(number) : std::string();
     if (!swing) return swing.status();
     frame.fingerprint = fingerprint_of(frame, *swing);
@@ -134,7 +134,7 @@ class Planner {
     std::optional<double>& time = animated->request.time;
     if (!time) time = number / job_.fps;
     if (Status format = take_format(animated->request); !format.ok()) return format;
-    if (job_.turntable) turn(*animated, share);
+    if (job_.turntable) apply_turntable(*animated, share);
     JobMoment made{.request = std::move(animated->request), .settings = std::move(animated->settings), .model = {}};
     if (animation_.limits_seconds()) made.max_seconds = made.request.max_seconds;
     made.request.max_seconds = FrameRequest().max_seconds;  // keeps it out of the fingerprint
@@ -145,14 +145,14 @@ class Planner {
     return made;
   }
 
-  Status open_shutter(JobFrame& frame, const Place& place) const {
+  Status open_shutter(JobFrame& frame, const FramePosition& position) const {
     if (!job_.motion_blur) return {};
     const MotionBlur& blur = *job_.motion_blur;
     if (Status refused = check_blur(frame.moment.request); !refused.ok()) return refused;
     for (int k = 0; k < blur.samples; ++k) {
       const double later = blur.shutter * ((k + 0.5) / blur.samples - 0.5);
-      const double index = static_cast<double>(place.index) + later / place.spacing;
-      Result<JobMoment> made = moment(frame.number + later, index / static_cast<double>(place.count));
+      const double index = static_cast<double>(position.index) + later / position.spacing;
+      Result<JobMoment> made = moment(frame.number + later, index / static_cast<double>(position.count));
       if (!made) return made.status();
       share_passes(blur.samples, k, made->request.knobs.trace);
       frame.open.push_back(std::move(*made));
@@ -160,7 +160,7 @@ class Planner {
     return {};
   }
 
-  void turn(AnimatedFrame& frame, double share) const {
+  void apply_turntable(AnimatedFrame& frame, double share) const {
     const bool model_turns = job_.turntable->turns == Turning::model;
     const double degrees = (model_turns ? -1 : 1) * job_.turntable->degrees * share;
     FrameRequest& request = frame.request;
@@ -203,16 +203,16 @@ Result<std::vector<JobFrame>> plan_frames(const Planner& planner, const std::vec
                                           const std::vector<int>& wanted, const std::string& range) {
   std::unordered_map<int, std::size_t> order;
   for (std::size_t index = 0; index < all.size(); ++index) order[all[index]] = index;
-  Planner::Place place{.count = all.size()};
+  Planner::FramePosition position{.count = all.size()};
   if (all.size() > 1 && all.back() != all.front())
-    place.spacing = (all.back() - all.front()) / static_cast<double>(all.size() - 1);
+    position.spacing = (all.back() - all.front()) / static_cast<double>(all.size() - 1);
   std::vector<JobFrame> frames;
   for (const int number : wanted) {
     const auto found = order.find(number);
     if (found == order.end())
       return failure(Code::invalid, "The job has no frame " + std::to_string(number) + ".", "/frames", range);
-    place.index = found->second;
-    Result<JobFrame> frame = planner.frame(number, place);
+    position.index = found->second;
+    Result<JobFrame> frame = planner.frame(number, position);
     if (!frame) return frame.status();
     frames.push_back(std::move(frame).value());
   }
@@ -221,9 +221,9 @@ Result<std::vector<JobFrame>> plan_frames(const Planner& planner, const std::vec
 
 }  // namespace
 
-Result<std::vector<JobFrame>> plan_job(const RenderJob& whole_job, const JobPart& part, const std::string& folder,
+Result<std::vector<JobFrame>> plan_job(const RenderJob& original_job, const JobPart& part, const std::string& folder,
                                        const Scene& scene) {
-  RenderJob job = whole_job;
+  RenderJob job = original_job;
   if (!part.output.empty()) job.output = part.output;
   if (job.time_lapse && job.turntable && job.turntable->turns == Turning::model)
     return failure(Code::invalid, "A time lapse shows each revision in its own lights, which cannot turn.",

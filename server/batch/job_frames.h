@@ -27,8 +27,7 @@ struct JobMoment {
   FrameRequest request;
   std::vector<Command> settings;     // commands to run before drawing
   std::optional<ModelMoment> model;  // if the model moves
-  // The job's limit on drawing a file. The request itself has no limit, so that the estimate of a machine cannot refuse
-  // a frame.
+  // The job's limit on drawing a file. The request has no limit, so that no machine refuses a frame by its estimate.
   std::optional<double> max_seconds = {};
 };
 

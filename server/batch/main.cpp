@@ -176,7 +176,7 @@ int render(const Options& options, FarmLog& log) {
   if (!scene) return fail(log, in_job(options, scene.status()));
   const auto frames = plan_job(*job, options.part, folder, *scene->scene());
   if (!frames) return fail(log, in_job(options, frames.status()));
-  if (Status refused = try_folder_of(frames->front().file); !refused.ok()) return fail(log, refused);
+  if (Status refused = check_folder_writable(frames->front().file); !refused.ok()) return fail(log, refused);
   if (options.check) return print_check(*job, options, *scene, *frames, log);
   DrawOptions draw = options.draw;
   draw.tile = options.part.tile;
@@ -200,7 +200,7 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? done : usage;
   }
   if (options.schema) return fmt::print("{}\n", job_schema()), done;
-  keep_memory_together();
+  limit_arenas();
   watch_stop_signals();
   FarmLog log;
   try {

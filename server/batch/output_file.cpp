@@ -60,7 +60,7 @@ std::string ratio_of(double fps) {
 
 }  // namespace
 
-Status write_whole(const std::string& path, std::string_view bytes) {
+Status write_atomically(const std::string& path, std::string_view bytes) {
   const std::filesystem::path target(path);
   std::error_code error;
   if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), error);
@@ -72,7 +72,7 @@ Status write_whole(const std::string& path, std::string_view bytes) {
   return cannot_write(path, failed);
 }
 
-Status try_folder_of(const std::string& path) {
+Status check_folder_writable(const std::string& path) {
   const std::filesystem::path target = std::filesystem::absolute(path);
   std::filesystem::path folder = target.parent_path();
   std::error_code error;
@@ -87,21 +87,20 @@ bool is_drawn(const std::string& path, const std::string& fingerprint) {
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return false;
   constexpr std::size_t max_pixels = std::size_t{limits::frame_pixels} * limits::frame_pixels;
-  const auto picture =
-      picture_files().decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_text);
+  const auto picture = picture_files().decode_data_image(std::as_bytes(std::span(*bytes)), max_pixels, fingerprint_key);
   return picture && picture->text == fingerprint;
 }
 
-std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
-                                double fps, double seconds) {
+std::vector<ImageText> metadata_of(const JobFrame& frame, const std::string& quality, const SceneSummary& scene,
+                                   double fps, double seconds) {
   std::vector<ImageText> texts{
       {"Software", std::string("pelage-render ") + version()},
       {"pelage/frame", std::to_string(frame.number)},
       {"pelage/revision", std::to_string(frame.moment.request.revision.value_or(scene.revision))},
       {"pelage/fieldsHash", to_hex(scene.fields_hash)},
-      {quality_text, quality},
+      {quality_key, quality},
       {"pelage/camera", text_of(frame.moment.request.camera)},
-      {fingerprint_text, frame.fingerprint}};
+      {fingerprint_key, frame.fingerprint}};
   if (frame.moment.request.format != FrameFormat::exr) {
     texts.push_back(
         {"pelage/request", encode(frame.moment.request)});  // ffmpeg 5.1 cannot handle so long a text in an EXR
@@ -111,7 +110,7 @@ std::vector<ImageText> texts_of(const JobFrame& frame, const std::string& qualit
   texts.push_back({"DateTime", fmt::format("{:%Y:%m:%d %H:%M:%S}", fmt::gmtime(now))});
   texts.push_back({"HostComputer", host_name()});
   texts.push_back({frame_rate_text, ratio_of(fps)});
-  texts.push_back({render_time_text, fmt::format("{:.3f}", seconds)});
+  texts.push_back({render_time_key, fmt::format("{:.3f}", seconds)});
   return texts;
 }
 

@@ -24,7 +24,8 @@ Result<std::shared_ptr<const PoseHistory::Pose>> PoseHistory::pose(int frame) {
   Result<Mesh> mesh = model_.mesh(*raw);
   if (!mesh) return mesh.status();
   auto made = std::make_shared<Pose>(Pose{std::move(mesh->positions), {}});
-  for (const glm::dmat3& turn : surface_turns(model_.rest(), made->positions)) made->turns.emplace_back(turn);
+  for (const glm::dmat3& rotation : surface_rotations(model_.rest(), made->positions))
+    made->rotations.emplace_back(rotation);
   return poses_[*name] = std::move(made);
 }
 
@@ -52,7 +53,7 @@ Result<PoseHistory::Accelerations> PoseHistory::acceleration(int frame) {
   for (std::size_t v = 0; v < around[1]->positions.size(); ++v) {
     const glm::dvec3 before(around[0]->positions[v]), now(around[1]->positions[v]), after(around[2]->positions[v]);
     const glm::dvec3 acceleration = (before - 2.0 * now + after) * (fps_ * fps_ * strength_);
-    found.emplace_back(glm::transpose(glm::dmat3(around[1]->turns[v])) * acceleration);
+    found.emplace_back(glm::transpose(glm::dmat3(around[1]->rotations[v])) * acceleration);
   }
   return accelerations_[frame] = std::make_shared<const std::vector<glm::vec3>>(std::move(found));
 }
@@ -71,17 +72,17 @@ Result<BodySwing> PoseHistory::at(int frame, double time) {
     const Result<std::string> passed = source_.name(k - 1);
     if (passed && k < frame && (!names->contains(*passed) || names->at(*passed) == 1)) poses_.erase(*passed);
   }
-  const Result<std::shared_ptr<const Pose>> stands = pose(frame);
-  if (!stands) return stands.status();
-  const auto at_place = [history, now = *stands, time, fps = fps_](std::uint32_t vertex, double when) {
+  const Result<std::shared_ptr<const Pose>> current = pose(frame);
+  if (!current) return current.status();
+  const auto acceleration_at = [history, now = *current, time, fps = fps_](std::uint32_t vertex, double when) {
     const double last = static_cast<double>(history.size() - 1);
-    const double place = std::clamp(last + (when - time) * fps, 0.0, last);
-    const auto low = static_cast<std::size_t>(place), high = std::min(low + 1, history.size() - 1);
+    const double index = std::clamp(last + (when - time) * fps, 0.0, last);
+    const auto low = static_cast<std::size_t>(index), high = std::min(low + 1, history.size() - 1);
     const auto known = [&](std::size_t k) { return history[k] ? glm::dvec3((*history[k])[vertex]) : glm::dvec3(0); };
-    const glm::dvec3 felt = glm::mix(known(low), known(high), place - static_cast<double>(low));
-    return now ? glm::dmat3(now->turns[vertex]) * felt : felt;
+    const glm::dvec3 interpolated = glm::mix(known(low), known(high), index - static_cast<double>(low));
+    return now ? glm::dmat3(now->rotations[vertex]) * interpolated : interpolated;
   };
-  return BodySwing{at_place, std::clamp(1 / fps_, 1e-3, 1.0)};
+  return BodySwing{acceleration_at, std::clamp(1 / fps_, 1e-3, 1.0)};
 }
 
 }  // namespace pelage

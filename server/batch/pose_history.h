@@ -38,7 +38,7 @@ class PoseHistory {
  private:
   struct Pose {
     std::vector<glm::vec3> positions;
-    std::vector<glm::mat3> turns;  // rotations of vertices, relative to the model at rest
+    std::vector<glm::mat3> rotations;  // rotations of vertices, relative to the model at rest
   };
   using Accelerations = std::shared_ptr<const std::vector<glm::vec3>>;  // rotated to the model at rest
 

@@ -51,7 +51,7 @@ Result<std::unique_ptr<JobRenderer>> JobRenderer::start(const JobScene& scene, d
   return std::unique_ptr<JobRenderer>(new JobRenderer(scene, fps, options, std::move(frames).value(), std::move(gate)));
 }
 
-Status JobRenderer::stand(const JobFrame& frame, const ModelMoment& model) {
+Status JobRenderer::set_pose(const JobFrame& frame, const ModelMoment& model) {
   if (!moving_) {
     Result<MovingModel> moving = job_scene_.moving_model();
     if (!moving) return moving.status();
@@ -68,8 +68,8 @@ Status JobRenderer::stand(const JobFrame& frame, const ModelMoment& model) {
     pose->swing = std::move(*swing);
   }
   scene_->pose(std::move(*pose));
-  if (stands_as_ != 0) frames_->forget(stands_as_);
-  stands_as_ = id;
+  if (pose_model_id_ != 0) frames_->forget(pose_model_id_);
+  pose_model_id_ = id;
   return {};
 }
 
@@ -86,23 +86,23 @@ Result<BodySwing> JobRenderer::swing_of(const JobFrame& frame) {
   return history_->at(frame.number, frame.moment.request.time.value_or(frame.number / fps_));
 }
 
-JobRenderer::Piece JobRenderer::whole_of(const JobFrame& frame) {
+JobRenderer::Region JobRenderer::frame_region(const JobFrame& frame) {
   return {frame, frame.file, frame.fingerprint, frame.moment.request.crop};
 }
 
-JobRenderer::Piece JobRenderer::piece_of(const JobFrame& frame, const JobTile& tile) {
+JobRenderer::Region JobRenderer::tile_region(const JobFrame& frame, const JobTile& tile) {
   return {frame, tile.file, tile.fingerprint, tile.crop};
 }
 
-std::vector<JobRenderer::Piece> JobRenderer::pieces_of(const std::vector<JobFrame>& frames) const {
-  std::vector<Piece> pieces;
+std::vector<JobRenderer::Region> JobRenderer::regions_of(const std::vector<JobFrame>& frames) const {
+  std::vector<Region> regions;
   for (const JobFrame& frame : frames) {
-    if (frame.tiles.empty()) pieces.push_back(whole_of(frame));
+    if (frame.tiles.empty()) regions.push_back(frame_region(frame));
     for (const JobTile& tile : frame.tiles) {
-      if (options_.tile == 0 || options_.tile == tile.number) pieces.push_back(piece_of(frame, tile));
+      if (options_.tile == 0 || options_.tile == tile.number) regions.push_back(tile_region(frame, tile));
     }
   }
-  return pieces;
+  return regions;
 }
 
 Status JobRenderer::prepare(const JobFrame& frame, const JobMoment& moment) {
@@ -110,34 +110,34 @@ Status JobRenderer::prepare(const JobFrame& frame, const JobMoment& moment) {
     const Result<CommandAnswer> set = scene_->execute(moment.settings);
     if (!set) return set.status();
   }
-  return moment.model ? stand(frame, *moment.model) : Status{};
+  return moment.model ? set_pose(frame, *moment.model) : Status{};
 }
 
-Result<LinearPicture> JobRenderer::blurred(const Piece& piece, const std::function<bool()>& stopped) {
-  MeanPicture mean(linear_aovs(piece.frame.moment.request), static_cast<int>(piece.frame.open.size()));
-  for (const JobMoment& moment : piece.frame.open) {
-    if (Status ready = prepare(piece.frame, moment); !ready.ok()) return ready;
-    Result<LinearPicture> light = pictures_.light(scene_, piece.request_at(moment), stopped);
+Result<LinearPicture> JobRenderer::blurred(const Region& region, const std::function<bool()>& stopped) {
+  MeanPicture mean(linear_aovs(region.frame.moment.request), static_cast<int>(region.frame.open.size()));
+  for (const JobMoment& moment : region.frame.open) {
+    if (Status ready = prepare(region.frame, moment); !ready.ok()) return ready;
+    Result<LinearPicture> light = pictures_.light(scene_, region.request_at(moment), stopped);
     if (!light) return light;
     mean.add(std::move(*light));
   }
   return std::move(mean).take();
 }
 
-Result<JobRenderer::Encode> JobRenderer::picture(const Piece& piece, const std::function<bool()>& stopped) {
+Result<JobRenderer::Encode> JobRenderer::picture(const Region& region, const std::function<bool()>& stopped) {
   const Stopwatch passed;
-  const JobFrame& frame = piece.frame;
-  const auto texts_after = [this, &frame, fingerprint = piece.fingerprint](const FrameAnswer& answer, double seconds) {
-    std::vector<ImageText> said = texts_of(frame, encode(answer.knobs), summary_, fps_, seconds);
+  const JobFrame& frame = region.frame;
+  const auto texts_after = [this, &frame, fingerprint = region.fingerprint](const FrameAnswer& answer, double seconds) {
+    std::vector<ImageText> said = metadata_of(frame, encode(answer.knobs), summary_, fps_, seconds);
     for (ImageText& text : said) {
-      if (text.key == fingerprint_text) text.value = fingerprint;
+      if (text.key == fingerprint_key) text.value = fingerprint;
     }
     return said;
   };
-  const FrameRequest request = piece.request_at(frame.moment);
+  const FrameRequest request = region.request_at(frame.moment);
   Result<PictureService::Encode> drawn = failure(Code::internal, "not drawn");
   if (!frame.open.empty()) {
-    drawn = mean_picture(piece, request, stopped);
+    drawn = mean_picture(region, request, stopped);
   } else if (Status ready = prepare(frame, frame.moment); !ready.ok()) {
     return ready;
   } else {
@@ -149,9 +149,9 @@ Result<JobRenderer::Encode> JobRenderer::picture(const Piece& piece, const std::
   });
 }
 
-Result<PictureService::Encode> JobRenderer::mean_picture(const Piece& piece, const FrameRequest& request,
+Result<PictureService::Encode> JobRenderer::mean_picture(const Region& region, const FrameRequest& request,
                                                          const std::function<bool()>& stopped) {
-  const Result<LinearPicture> mean = blurred(piece, stopped);
+  const Result<LinearPicture> mean = blurred(region, stopped);
   Result<DrawnFrame> finished = mean ? frames_->finish(*mean, request) : mean.status();
   if (!finished) return finished.status();
   return PictureService::Encode(
@@ -162,54 +162,55 @@ Result<PictureService::Encode> JobRenderer::mean_picture(const Piece& piece, con
 
 Result<double> JobRenderer::measure(const JobFrame& frame, const std::function<bool()>& stopped) {
   const Stopwatch passed;
-  const bool cut = !frame.tiles.empty();
+  const bool tiled = !frame.tiles.empty();
   const Result<Encode> drawn =
-      picture(cut ? piece_of(frame, frame.tiles[frame.tiles.size() / 2]) : whole_of(frame), stopped);
+      picture(tiled ? tile_region(frame, frame.tiles[frame.tiles.size() / 2]) : frame_region(frame), stopped);
   if (!drawn) return stopped() ? stopped_status() : drawn.status();
   static_cast<void>((*drawn)());
-  return passed.milliseconds() / 1e3 * (cut ? static_cast<double>(frame.tiles.size()) : 1);
+  return passed.milliseconds() / 1e3 * (tiled ? static_cast<double>(frame.tiles.size()) : 1);
 }
 
-bool JobRenderer::is_there(const Piece& piece) const {
-  const JobFrame& frame = piece.frame;
-  if (frame.tiles.empty() || !is_drawn(frame.file, frame.fingerprint)) return is_drawn(piece.file, piece.fingerprint);
+bool JobRenderer::is_there(const Region& region) const {
+  const JobFrame& frame = region.frame;
+  if (frame.tiles.empty() || !is_drawn(frame.file, frame.fingerprint)) return is_drawn(region.file, region.fingerprint);
   remove_tiles(frame);  // left by a process that was killed before it could remove them
   return true;
 }
 
-Result<JobRenderer::Save> JobRenderer::draw(const Piece& piece, const std::function<bool()>& stopped) {
+Result<JobRenderer::Save> JobRenderer::draw(const Region& region, const std::function<bool()>& stopped) {
   const Stopwatch passed;
-  const std::optional<double>& limit = piece.frame.moment.max_seconds;
+  const std::optional<double>& limit = region.frame.moment.max_seconds;
   const auto too_slow = [&] { return limit && passed.seconds() > *limit; };
-  const Result<Encode> drawn = picture(piece, [&] { return stopped() || too_slow(); });
+  const Result<Encode> drawn = picture(region, [&] { return stopped() || too_slow(); });
   if (!drawn && stopped()) return stopped_status();
-  if (!drawn && drawn.status().code == Code::unavailable && too_slow()) return passed_limit(piece.frame.number, *limit);
+  if (!drawn && drawn.status().code == Code::unavailable && too_slow())
+    return passed_limit(region.frame.number, *limit);
   if (!drawn) return drawn.status();
-  return Save([drawn = *drawn, &file = piece.file] { return write_whole(file, drawn().bytes); });
+  return Save([drawn = *drawn, &file = region.file] { return write_atomically(file, drawn().bytes); });
 }
 
 Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLog& log,
                                      const std::function<bool()>& stopped) {
   JobOutcome outcome;
   const Stopwatch passed;
-  const std::vector<Piece> pieces = pieces_of(frames);
+  const std::vector<Region> regions = regions_of(frames);
   std::future<Status> saved;  // saves the previous file while the next one is drawn
   std::atomic<bool> failed{false};
   const auto wait = [&] { return saved.valid() ? saved.get() : Status{}; };
   const auto ends = [&] { return stopped() || failed; };
-  for (const Piece& piece : pieces) {
+  for (const Region& region : regions) {
     if (ends()) {
       Status before = wait();
       return before.ok() ? stopped_status() : before;
     }
-    if (options_.skip_existing && is_there(piece)) {
-      log.skipped(piece.file), ++outcome.skipped;
+    if (options_.skip_existing && is_there(region)) {
+      log.skipped(region.file), ++outcome.skipped;
     } else {
-      log.begin(piece.frame.number, outcome.drawn + outcome.skipped, pieces.size());
-      const Result<Save> drawn = draw(piece, ends);
+      log.begin(region.frame.number, outcome.drawn + outcome.skipped, regions.size());
+      const Result<Save> drawn = draw(region, ends);
       if (Status before = wait(); !before.ok()) return before;
       if (!drawn) return drawn.status();
-      saved = std::async(std::launch::async, [&log, &failed, &file = piece.file, save = *drawn] {
+      saved = std::async(std::launch::async, [&log, &failed, &file = region.file, save = *drawn] {
         const Status written = save();
         if (written.ok()) log.saved(file);
         failed = !written.ok();
@@ -217,11 +218,11 @@ Result<JobOutcome> JobRenderer::draw(const std::vector<JobFrame>& frames, FarmLo
       });
       ++outcome.drawn;
     }
-    if (piece.frame.tiles.empty()) continue;
+    if (region.frame.tiles.empty()) continue;
     if (Status before = wait(); !before.ok()) return before;
-    const Result<bool> merged = merge_tiles(piece.frame, summary_, fps_);
+    const Result<bool> merged = merge_tiles(region.frame, summary_, fps_);
     if (!merged) return merged.status();
-    if (*merged) log.saved(piece.frame.file);
+    if (*merged) log.saved(region.frame.file);
   }
   if (Status before = wait(); !before.ok()) return before;
   log.done(outcome.drawn, outcome.skipped, passed.milliseconds() / 1e3);

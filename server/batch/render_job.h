@@ -52,8 +52,8 @@ class JobRenderer {
  private:
   JobRenderer(const JobScene& scene, double fps, const DrawOptions& options, std::unique_ptr<FrameService> frames,
               std::unique_ptr<YieldGate> gate);
-  /// A part of a frame that has a file of its own: a tile, or the whole frame if it has no tiles.
-  struct Piece {
+  /// A region of a frame that has a file of its own: a tile, or the full frame if it has no tiles.
+  struct Region {
     const JobFrame& frame;
     const std::string& file;
     std::string fingerprint;
@@ -65,32 +65,32 @@ class JobRenderer {
       return request;
     }
   };
-  static Piece whole_of(const JobFrame& frame);
-  static Piece piece_of(const JobFrame& frame, const JobTile& tile);
-  std::vector<Piece> pieces_of(const std::vector<JobFrame>& frames) const;
-  bool is_there(const Piece& piece) const;
-  /// Writes the file of a part.
+  static Region frame_region(const JobFrame& frame);
+  static Region tile_region(const JobFrame& frame, const JobTile& tile);
+  std::vector<Region> regions_of(const std::vector<JobFrame>& frames) const;
+  bool is_there(const Region& region) const;
+  /// Writes the file of a region.
   using Save = std::function<Status()>;
-  /// Draws a piece; fails as drawing all frames does.
-  Result<Save> draw(const Piece& piece, const std::function<bool()>& stopped);
-  /// Encodes the file of a part that has been drawn.
+  /// Draws a region; fails as drawing all frames does.
+  Result<Save> draw(const Region& region, const std::function<bool()>& stopped);
+  /// Encodes the file of a region that has been drawn.
   using Encode = std::function<FrameAnswer()>;
-  Result<Encode> picture(const Piece& piece, const std::function<bool()>& stopped);
+  Result<Encode> picture(const Region& region, const std::function<bool()>& stopped);
   /// Draws the mean of the moments at which the shutter is open.
-  Result<PictureService::Encode> mean_picture(const Piece& piece, const FrameRequest& request,
+  Result<PictureService::Encode> mean_picture(const Region& region, const FrameRequest& request,
                                               const std::function<bool()>& stopped);
-  Result<LinearPicture> blurred(const Piece& piece, const std::function<bool()>& stopped);
+  Result<LinearPicture> blurred(const Region& region, const std::function<bool()>& stopped);
 
   /// Sets the scene's settings and pose to a moment of the frame.
   Status prepare(const JobFrame& frame, const JobMoment& moment);
-  Status stand(const JobFrame& frame, const ModelMoment& model);
+  Status set_pose(const JobFrame& frame, const ModelMoment& model);
   Result<BodySwing> swing_of(const JobFrame& frame);
 
   const JobScene& job_scene_;
   std::shared_ptr<Scene> scene_;
   std::optional<MovingModel> moving_;   // set once a frame's model moves
   std::optional<PoseHistory> history_;  // set once a frame has inertia
-  std::uint64_t stands_as_ = 0;         // id of the model of the last pose
+  std::uint64_t pose_model_id_ = 0;     // id of the model of the last pose
   const SceneSummary summary_;          // of the scene before keyframes
   const double fps_;
   const DrawOptions options_;

@@ -45,7 +45,7 @@ double seconds_of(const std::vector<PicturePart>& parts) {
   double seconds = 0;
   for (const PicturePart& part : parts)
     seconds += std::strtod(
-        picture_files().text_in_picture(std::as_bytes(std::span(part.bytes)), render_time_text).c_str(), nullptr);
+        picture_files().text_in_picture(std::as_bytes(std::span(part.bytes)), render_time_key).c_str(), nullptr);
   return seconds;
 }
 
@@ -55,7 +55,7 @@ std::optional<std::vector<PicturePart>> read_parts(const JobFrame& frame) {
   for (const JobTile& tile : frame.tiles) {
     Result<std::string> bytes = read_file(tile.file);
     if (!bytes ||
-        picture_files().text_in_picture(std::as_bytes(std::span(*bytes)), fingerprint_text) != tile.fingerprint)
+        picture_files().text_in_picture(std::as_bytes(std::span(*bytes)), fingerprint_key) != tile.fingerprint)
       return {};
     parts.push_back({std::move(*bytes), tile.crop.left, tile.crop.top});
   }
@@ -88,14 +88,14 @@ Result<bool> merge_tiles(const JobFrame& frame, const SceneSummary& scene, doubl
   const std::optional<std::vector<PicturePart>> parts = read_parts(frame);
   if (!parts) return false;
   const std::string quality =
-      picture_files().text_in_picture(std::as_bytes(std::span(parts->front().bytes)), quality_text);
-  const std::vector<ImageText> texts = texts_of(frame, quality, scene, fps, seconds_of(*parts));
+      picture_files().text_in_picture(std::as_bytes(std::span(parts->front().bytes)), quality_key);
+  const std::vector<ImageText> texts = metadata_of(frame, quality, scene, fps, seconds_of(*parts));
   const FrameRequest& request = frame.moment.request;
   const bool keep_alpha = request.background == Background::transparent;
-  const Result<std::string> whole =
+  const Result<std::string> merged =
       picture_files().merge_pictures(*parts, request.width, request.height, keep_alpha, texts);
-  if (!whole) return whole.status();
-  if (Status written = write_whole(frame.file, *whole); !written.ok()) return written;
+  if (!merged) return merged.status();
+  if (Status written = write_atomically(frame.file, *merged); !written.ok()) return written;
   remove_tiles(frame);
   return true;
 }

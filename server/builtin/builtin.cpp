@@ -227,8 +227,7 @@ class Geodesic {
     return found->second;
   }
 
-  /// Returns the position of a vertex. Vertices have equal angles along a face's edges, which keeps triangles about
-  /// equal.
+  /// Returns the position of a vertex. Equal angles along a face's edges keep the triangles about equal.
   dvec3 place(const Key& key) const {
     dvec3 sum{0};
     for (const auto& [corner, share] : key) sum += std::sin(share * angle_ / cuts_) * solid_.corners[corner];

@@ -41,8 +41,7 @@ class ImplicitSurface {
 
   DistanceSample sample(glm::dvec3 position) const;
 
-  /// Returns a point of the surface near `position`, by at most three steps along the gradient, each at most `reach`
-  /// long.
+  /// Returns a surface point near `position`, by at most three steps along the gradient, each at most `reach` long.
   glm::dvec3 project(glm::dvec3 position, double reach) const;
 
   /// The bounding box of all added volumes.
@@ -88,8 +87,7 @@ struct TriangleMesh {
 };
 
 /// Polygonises by marching tetrahedra on a grid of cubes `cell` wide (> 0). The result is always a closed 2-manifold;
-/// its triangles are uneven and its vertices lie within a cell of the surface. Features thinner than two cells may
-/// break.
+/// its triangles are uneven, its vertices lie within a cell of the surface. Features thinner than two cells may break.
 TriangleMesh polygonise(const ImplicitSurface& surface, double cell);
 
 /// Returns the connected part of a closed mesh with the largest number of triangles.

@@ -136,7 +136,7 @@ void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& lev
 }  // namespace
 
 Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
-  const Slices slices = bake_slices(first_seen(scene.settings.coats).coat);
+  const Slices slices = bake_slices(first_unmuted(scene.settings.coats).coat);
   const FurFrame frame = make_frame(scene, FrameRequest{});
   const double cell = cell_of(strands, request.cards);
   CardFile result;
@@ -158,7 +158,7 @@ Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& stran
     used.cards |= !clumps.empty();
   }
   result.triangles += scene.model.surface.mesh().triangles.size();
-  set_materials(file, used, first_seen(scene.settings.coats).coat, overlap * cell);
+  set_materials(file, used, first_unmuted(scene.settings.coats).coat, overlap * cell);
   set_scenes(file, std::move(body), levels, strands.place);
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();

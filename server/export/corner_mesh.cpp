@@ -19,7 +19,7 @@ bool bears_fur(const FieldSet& fields, std::uint32_t vertex) {
 }  // namespace
 
 CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
-  const FurPieces pieces = make_pieces(scene.model.surface.mesh(), scene.model.patches);
+  const FurTriangles pieces = make_fur_triangles(scene.model.surface.mesh(), scene.model.patches);
   CornerMesh shells;
   std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> known;
   const auto corner_of = [&](std::uint32_t vertex, const FurCorner& corner) {
@@ -40,7 +40,7 @@ CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
 
 std::vector<glm::vec3> places_at(const SceneView& scene, double s) {
   const Mesh& mesh = scene.model.surface.mesh();
-  const Coat& coat = first_seen(scene.settings.coats).coat;
+  const Coat& coat = first_unmuted(scene.settings.coats).coat;
   std::vector<glm::vec3> places(mesh.positions.size());
   for (std::uint32_t v = 0; v < places.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);

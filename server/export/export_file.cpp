@@ -94,7 +94,7 @@ Result<ExportFile> export_scene(const SceneSnapshot& scene, const ExportRequest&
   const SceneView whole = scene.view();
   const Result<SceneSettings> settings = with_asked_coats(whole.settings, request);
   if (!settings) return settings.status();
-  const FieldSet fields = whole.fields.of_coat(first_seen(settings->coats).id);
+  const FieldSet fields = whole.fields.of_coat(first_unmuted(settings->coats).id);
   const SceneView view{whole.model, fields, *settings, whole.revision, whole.skin_texture, whole.copy_id, whole.swing};
   Result<ExportedStrands> strands = gather_strands(view, request, cancel);
   if (!strands) return strands.status();

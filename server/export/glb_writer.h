@@ -29,8 +29,7 @@ class GlbWriter {
   int add(std::span<const glm::vec3> values);
   int add(std::span<const glm::vec4> values);
   int add_positions(std::span<const glm::vec3> values);
-  /// Adds an accessor of triangles and returns its index. Indices have 16 bits if the number of `vertices` permits
-  /// that.
+  /// Adds an accessor of triangles and returns its index. Indices have 16 bits if there are few enough `vertices`.
   int add_triangles(std::span<const glm::uvec3> triangles, std::size_t vertices);
   /// Adds an image and returns its index.
   int add_png(std::string_view file);

@@ -81,7 +81,7 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
   const auto normals =
       of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return mesh.normals[c.vertex]; });
   const auto uvs = of_corners<glm::vec2>(shells, [&](const CornerMesh::Corner& c) {
-    return c.tile_uv / static_cast<float>(first_seen(scene.settings.coats).coat.tile);
+    return c.tile_uv / static_cast<float>(first_unmuted(scene.settings.coats).coat.tile);
   });
   const auto fur = of_corners<glm::vec4>(
       shells, [&](const CornerMesh::Corner& c) { return glm::vec4(glm::min(colours.at(c.vertex, 0.7), 1.0f), 1); });
@@ -93,7 +93,7 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
                          {"_DIRECTION", file.add(std::span(leans))},  {"_WEIGHT", file.add(std::span(weights))}};
   add_fields(scene, shells, file, attributes);
   const int triangles = file.add_triangles(shells.triangles, shells.corners.size());
-  const int atlas = file.add_png(encode_png(atlas_of(first_seen(scene.settings.coats).coat), true));
+  const int atlas = file.add_png(encode_png(atlas_of(first_unmuted(scene.settings.coats).coat), true));
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}, {"material", 0}};
   const GltfJson layers = {{"fur_layers", atlas_columns * atlas_columns}, {"atlas_columns", atlas_columns}};
   file.set_scene(node_of("skin", 0, strands.place), GltfJson::array({skin}), layers);

@@ -114,7 +114,7 @@ struct StandingCoat {
 }  // namespace
 
 ProxyFur fur_on(const ProxyMesh& proxy, const Mesh& mesh, const FieldSet& fields, const std::vector<NamedCoat>& coats) {
-  constexpr std::size_t middle = UnitStrand::places / 2 - 1, tip = UnitStrand::places - 1;
+  constexpr std::size_t middle = UnitStrand::sample_count / 2 - 1, tip = UnitStrand::sample_count - 1;
   std::vector<StandingCoat> standing;
   for (const NamedCoat& coat : coats)
     if (!coat.muted) standing.push_back({fields.of_coat(coat.id), coat.coat});

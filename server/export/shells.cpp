@@ -35,7 +35,7 @@ class ShellFile {
     std::vector<glm::vec2> uvs;
     for (const CornerMesh::Corner& corner : shells.corners) {
       normals.push_back(mesh.normals[corner.vertex]);
-      uvs.push_back(corner.tile_uv / static_cast<float>(first_seen(scene.settings.coats).coat.tile));
+      uvs.push_back(corner.tile_uv / static_cast<float>(first_unmuted(scene.settings.coats).coat.tile));
     }
     normals_ = file_.add(std::span(std::as_const(normals))), uvs_ = file_.add(std::span(std::as_const(uvs)));
     triangles_ = file_.add_triangles(shells.triangles, shells.corners.size());
@@ -113,7 +113,7 @@ std::vector<std::string> layer_textures(const Slices& slices, int layers) {
 Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
   const CornerMesh shells = make_corner_mesh(scene);
   const VertexColours colours(scene.model.surface, strands);
-  const Slices slices = bake_slices(first_seen(scene.settings.coats).coat);
+  const Slices slices = bake_slices(first_unmuted(scene.settings.coats).coat);
   ShellFile file(scene, strands.place, shells, colours, slices);
   file.add_skin();
   const int layers = shells.triangles.empty() ? 0 : request.shells;

@@ -70,7 +70,7 @@ ExportRequest needed(ExportRequest request, double expected) {
 FilePlace file_place(const Mesh& mesh, const ExportRequest& request) {
   const double metres = request.metres_per_unit.value_or(1);
   if (request.frame == AssetFrame::pelage) return {mesh.centre, glm::dmat3(1), metres, Axis::plus_y};
-  const glm::dmat3 turn = glm::transpose(turn_of(mesh.report.up, mesh.report.front));
+  const glm::dmat3 turn = glm::transpose(axes_rotation(mesh.report.up, mesh.report.front));
   return {turn * mesh.centre, turn, metres, mesh.report.up};
 }
 

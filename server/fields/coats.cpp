@@ -65,7 +65,7 @@ std::vector<CoatEntry> names_of(const std::vector<NamedCoat>& coats) {
   return names;
 }
 
-const NamedCoat& first_seen(const std::vector<NamedCoat>& coats) {
+const NamedCoat& first_unmuted(const std::vector<NamedCoat>& coats) {
   const auto seen = std::ranges::find(coats, false, &NamedCoat::muted);
   assert(seen != coats.end());
   return *seen;
@@ -144,12 +144,11 @@ glm::vec4 density_in(CoatRegion region, const FieldSet& fields, glm::vec4 densit
   return density;
 }
 
-/// Adds the first values of a new coat: the visible values of the one that it begins from. Edit layers add nothing to
-/// it.
+/// Adds the first values of a new coat: the visible values of the one that it begins from. Its edit layers are empty.
 void begin_coat(const CoatBeginning& how, CoatId from, CoatId coat, const FieldSet& fields, FieldDelta& delta) {
   const FieldSet other = fields.of_coat(from), none(fields.size());
   put_all(fields, coat, delta, [&](const FieldDelta::Part& part, std::uint32_t v) {
-    if (part.sheet != seen_sheet) return none.on_sheet(part.sheet, part.field, v);
+    if (part.sheet != visible_sheet) return none.on_sheet(part.sheet, part.field, v);
     const glm::vec4 value = other.value(part.field, v);
     if (part.field == Field::density) return density_in(how.region, fields, value, v);
     if (part.field != Field::length) return value;

@@ -17,7 +17,7 @@ const NamedCoat* find_coat(const std::vector<NamedCoat>& coats, const std::strin
 std::vector<CoatEntry> names_of(const std::vector<NamedCoat>& coats);
 
 /// Returns the first coat that is not muted.
-const NamedCoat& first_seen(const std::vector<NamedCoat>& coats);
+const NamedCoat& first_unmuted(const std::vector<NamedCoat>& coats);
 
 /// Refuses (invalid, "/coats" or "/coats/K/..."): a new coat that begins from a missing one, `begins` for an existing
 /// coat, more than limits::coats, and two entries for one coat.

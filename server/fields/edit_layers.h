@@ -25,10 +25,10 @@ struct EditLayerStack {
 EditLayerStack stack_at(const FieldSet& fields, Field field, std::uint32_t vertex, std::size_t layers);
 
 /// Returns a sum clamped to the field's range.
-glm::dvec4 held(Field field, glm::dvec4 sum);
+glm::dvec4 clamped(Field field, glm::dvec4 sum);
 /// Returns an edit layer's addition, clamped so that it stays finite however often it is groomed.
-glm::dvec4 held_addition(Field field, glm::dvec4 added);
-glm::dvec4 seen_through(const EditLayerStack& stack, Field field, const std::vector<EditLayer>& layers);
+glm::dvec4 clamped_addition(Field field, glm::dvec4 added);
+glm::dvec4 visible_value(const EditLayerStack& stack, Field field, const std::vector<EditLayer>& layers);
 
 /// Takes one field's stacks, vertex by vertex in rising order, and records the bits that they flip on every sheet.
 class StackWriter {
@@ -39,7 +39,7 @@ class StackWriter {
   /// `layers` gives the weights with which the visible value is computed.
   void put(std::uint32_t vertex, const EditLayerStack& stack, const std::vector<EditLayer>& layers);
   /// Records a visible value that no edit layer covers.
-  void put_seen(std::uint32_t vertex, glm::vec4 value) { put(vertex, seen_sheet, value); }
+  void put_visible(std::uint32_t vertex, glm::vec4 value) { put(vertex, visible_sheet, value); }
 
   /// Adds the parts to the delta; finish_parts has to sort them afterwards.
   void finish(FieldDelta& delta);
@@ -78,6 +78,6 @@ FieldDelta stored_in_edit_layer(const FieldDelta& seen, const std::string& layer
                                 const FieldSet& fields);
 
 /// Returns the index of the edit layer of this name, which must exist.
-std::size_t number_of(const std::string& layer, const std::vector<EditLayer>& layers);
+std::size_t edit_layer_index(const std::string& layer, const std::vector<EditLayer>& layers);
 
 }  // namespace pelage

@@ -62,7 +62,8 @@ const FieldDelta::Part* FieldDelta::part(Field field, Sheet sheet, CoatId coat) 
 std::vector<std::uint32_t> FieldDelta::vertices() const { return united(parts); }
 
 std::vector<VertexRange> FieldDelta::dirty_ranges() const {
-  const auto seen_end = std::find_if(parts.begin(), parts.end(), [](const Part& p) { return p.sheet != seen_sheet; });
+  const auto seen_end =
+      std::find_if(parts.begin(), parts.end(), [](const Part& p) { return p.sheet != visible_sheet; });
   std::vector<VertexRange> ranges;
   for (const std::uint32_t v : united({parts.begin(), seen_end})) {
     if (!ranges.empty() && v == ranges.back().end) {

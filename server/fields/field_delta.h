@@ -17,11 +17,11 @@ struct VertexRange {
   std::uint32_t begin = 0, end = 0;
 };
 
-/// A field is stored on sheets: seen_sheet has the visible values; under_sheet has the values below all edit layers,
+/// A field is stored on sheets: visible_sheet has the visible values; base_sheet has the values below all edit layers,
 /// where any of them adds to it; from first_edit_layer on there is a sheet for each edit layer, from the lowest, with
 /// what it adds at full weight.
 using Sheet = std::uint8_t;
-inline constexpr Sheet seen_sheet = 0, under_sheet = 1, first_edit_layer = 2;
+inline constexpr Sheet visible_sheet = 0, base_sheet = 1, first_edit_layer = 2;
 inline constexpr std::size_t sheet_count = first_edit_layer + limits::edit_layers;
 
 /// Applied once, it leads from one state to another; applied again, it leads back.
@@ -31,7 +31,7 @@ struct FieldDelta {
     Field field = Field::direction;
     std::vector<std::uint32_t> vertices;  // rising
     std::vector<std::uint32_t> flips;     // for each channel of each vertex: bits before xor bits after; not all 0
-    Sheet sheet = seen_sheet;
+    Sheet sheet = visible_sheet;
     CoatId coat = 0;  // 0 for a field that all coats share
     bool operator==(const Part&) const = default;
   };
@@ -40,7 +40,7 @@ struct FieldDelta {
 
   bool empty() const { return parts.empty(); }
   /// Returns the part of a field; null if the field does not change there.
-  const Part* part(Field field, Sheet sheet = seen_sheet, CoatId coat = 0) const;
+  const Part* part(Field field, Sheet sheet = visible_sheet, CoatId coat = 0) const;
   /// Returns the vertices at which any field changes on any sheet, rising.
   std::vector<std::uint32_t> vertices() const;
   /// Returns the ranges of exactly those vertices at which a visible value changes.
@@ -50,8 +50,7 @@ struct FieldDelta {
   bool operator==(const FieldDelta&) const = default;
 };
 
-/// Adds a vertex, which must be larger than those before it, with the bits in which its value changes, if there are
-/// any.
+/// Adds a vertex, which must be larger than those before it, with the changed bits of its value, if there are any.
 inline void put_change(FieldDelta::Part& part, std::uint32_t vertex, const glm::vec4& before, const glm::vec4& after) {
   const int channels = shape_of(part.field).channels;
   std::uint32_t flips[4] = {}, any = 0;

@@ -61,8 +61,7 @@ glm::dvec4 mean(Field field, const ValueOf& value, std::span<const MixShare> sha
   return sum;
 }
 
-/// Returns the mean of the stacks of several vertices: of the groom under the edit layers, and of what each of them
-/// adds.
+/// Returns the mean of the stacks of several vertices: of the groom below the edit layers, and of their additions.
 EditLayerStack mixed_stack(const FieldSet& fields, Field field, std::span<const MixShare> shares, const Mesh& from,
                            const Mesh& to, std::uint32_t vertex, std::size_t layers) {
   const auto at = [&](std::uint32_t v) { return stack_at(fields, field, v, layers); };
@@ -91,7 +90,7 @@ void fill_each(const FieldSet& fields, FieldSet& result, const Fill& fill) {
 /// Writes the stacks of vertices that edit layers cover into `result`; does nothing if none covers the field.
 void put_stacks(FieldSet& result, Field field, const FieldSet& fields, const std::vector<EditLayer>& layers,
                 const std::function<EditLayerStack(std::uint32_t)>& stack_of) {
-  if (fields.untouched(under_sheet, field)) return;
+  if (fields.untouched(base_sheet, field)) return;
   StackWriter writer(result, field, layers.size());
   for (std::uint32_t v = 0; v < result.size(); ++v) {
     const EditLayerStack stack = stack_of(v);
@@ -130,13 +129,13 @@ FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& afte
   return result;
 }
 
-FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
-                 const std::vector<std::array<MixShare, 3>>& shares, double longer,
-                 const std::vector<EditLayer>& layers) {
+FieldSet transferred(const FieldSet& fields, const Mesh& before, const Mesh& after,
+                     const std::vector<std::array<MixShare, 3>>& shares, double length_scale,
+                     const std::vector<EditLayer>& layers) {
   assert(before.positions.size() == fields.size() && after.positions.size() == shares.size());
   FieldSet result(shares.size());
   fill_each(fields, result, [&](const FieldSet& own, Field field) {
-    const double factor = field == Field::length ? longer : 1;
+    const double factor = field == Field::length ? length_scale : 1;
     for (std::uint32_t v = 0; v < shares.size(); ++v)
       result.set(field, v, stored(field, factor * mixed(own, field, shares[v], before, after, v)));
     put_stacks(result, field, own, layers, [&](std::uint32_t v) {
@@ -149,13 +148,13 @@ FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
   return result;
 }
 
-FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& turn,
-                const std::vector<EditLayer>& layers) {
+FieldSet rotated(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& rotation,
+                 const std::vector<EditLayer>& layers) {
   assert(before.positions.size() == fields.size() && after.positions.size() == fields.size());
   FieldSet result = fields;
   const auto along = [&](std::uint32_t vertex, glm::dvec4 value) {
     const Frame from = frame_of(before, vertex), to = frame_of(after, vertex);
-    const glm::dvec3 direction = turn * (value.x * from.tangent + value.y * from.bitangent);
+    const glm::dvec3 direction = rotation * (value.x * from.tangent + value.y * from.bitangent);
     return glm::dvec4(glm::dot(direction, to.tangent), glm::dot(direction, to.bitangent), 0, 0);
   };
   fill_each(fields, result, [&](const FieldSet& own, Field field) {

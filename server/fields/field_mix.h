@@ -31,14 +31,14 @@ FieldSet subdivided(const FieldSet& fields, const Mesh& before, const Mesh& afte
                     const std::vector<glm::uvec2>& parents, const std::vector<EditLayer>& layers = {});
 
 /// Returns all fields and edit layers on another mesh: each of its vertices has the mean of vertices of the mesh
-/// before. Lengths are multiplied by `longer`.
-FieldSet carried(const FieldSet& fields, const Mesh& before, const Mesh& after,
-                 const std::vector<std::array<MixShare, 3>>& shares, double longer,
-                 const std::vector<EditLayer>& layers = {});
+/// before. Lengths are multiplied by `length_scale`.
+FieldSet transferred(const FieldSet& fields, const Mesh& before, const Mesh& after,
+                     const std::vector<std::array<MixShare, 3>>& shares, double length_scale,
+                     const std::vector<EditLayer>& layers = {});
 
 /// Returns all fields and edit layers on a rotated mesh, with rotated directions. Both meshes have the same vertices,
-/// which `turn` rotates from `before` to `after`.
-FieldSet turned(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& turn,
-                const std::vector<EditLayer>& layers = {});
+/// which `rotation` rotates from `before` to `after`.
+FieldSet rotated(const FieldSet& fields, const Mesh& before, const Mesh& after, const glm::dmat3& rotation,
+                 const std::vector<EditLayer>& layers = {});
 
 }  // namespace pelage

@@ -20,8 +20,8 @@ std::uint64_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value);
 
 /// Returns the value of every channel before anything has touched it.
 float default_of(Sheet sheet, Field field) {
-  if (sheet == seen_sheet) return shape_of(field).default_value;
-  return sheet == under_sheet ? std::numeric_limits<float>::quiet_NaN() : 0.0f;
+  if (sheet == visible_sheet) return shape_of(field).default_value;
+  return sheet == base_sheet ? std::numeric_limits<float>::quiet_NaN() : 0.0f;
 }
 
 /// Adds the hash of a vertex's channels, two by two, to the sum, or subtracts it.
@@ -50,7 +50,7 @@ void flip(float* channels, const std::uint32_t* flips, int count) {
 /// Returns whether the array of a part must always exist.
 bool never_cleared(const FieldDelta::Part& part) {
   const Field field = part.field;
-  return part.coat == 0 && part.sheet == seen_sheet && (field == Field::direction || field == Field::length);
+  return part.coat == 0 && part.sheet == visible_sheet && (field == Field::direction || field == Field::length);
 }
 
 bool all_at_default(const std::vector<float>& values, float default_value) {
@@ -97,8 +97,8 @@ void FieldSet::select(CoatId coat) {
   if (coat >= coats_.size()) coats_.resize(std::size_t{coat} + 1);
   Sheets& sheets = coats_[coat];
   if (sheets.empty()) sheets.resize(1);
-  Array& direction = sheets[seen_sheet][static_cast<std::size_t>(Field::direction)];
-  Array& length = sheets[seen_sheet][static_cast<std::size_t>(Field::length)];
+  Array& direction = sheets[visible_sheet][static_cast<std::size_t>(Field::direction)];
+  Array& length = sheets[visible_sheet][static_cast<std::size_t>(Field::length)];
   if (!direction) direction = upright_;
   if (!length) length = bald_;
 }
@@ -137,7 +137,7 @@ std::vector<float>& FieldSet::touched(Sheet sheet, Field field, CoatId coat) {
   return *values;
 }
 
-glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const { return on_sheet(seen_sheet, field, vertex); }
+glm::vec4 FieldSet::value(Field field, std::uint32_t vertex) const { return on_sheet(visible_sheet, field, vertex); }
 
 glm::vec4 FieldSet::on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const {
   return read(sheet, field, owner(field), vertex);
@@ -184,8 +184,8 @@ std::span<const glm::vec4> FieldSet::colours(Field field) const {
 void FieldSet::set(Field field, std::uint32_t vertex, glm::vec4 value) {
   assert(vertex < vertices_);
   const auto channels = static_cast<std::size_t>(shape_of(field).channels);
-  float* stored = &touched(seen_sheet, field, owner(field))[vertex * channels];
-  const FieldDelta::Part part{field, {}, {}, seen_sheet, owner(field)};
+  float* stored = &touched(visible_sheet, field, owner(field))[vertex * channels];
+  const FieldDelta::Part part{field, {}, {}, visible_sheet, owner(field)};
   add_hash(hash_, part, vertex, stored, true);
   for (std::size_t c = 0; c < channels; ++c) stored[c] = value[static_cast<int>(c)] + 0.0f;
   add_hash(hash_, part, vertex, stored, false);
@@ -299,7 +299,7 @@ void add_part(const FieldDelta::Part& part, const FieldSet& fields, FieldChange&
 std::vector<FieldChange> measure(const FieldDelta& delta, const FieldSet& fields) {
   std::array<FieldChange, field_count> by_field;
   for (const FieldDelta::Part& part : delta.parts) {
-    if (part.sheet == seen_sheet) add_part(part, fields, by_field[static_cast<std::size_t>(part.field)]);
+    if (part.sheet == visible_sheet) add_part(part, fields, by_field[static_cast<std::size_t>(part.field)]);
   }
   std::vector<FieldChange> changes;
   for (std::size_t f = 0; f < field_count; ++f) {

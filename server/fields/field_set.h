@@ -46,8 +46,7 @@ glm::vec2 stored_direction(glm::dvec2 direction);
 float stored_value(Field field, double value);
 Groom stored_groom(glm::dvec2 direction, double length, double stretch);
 
-/// The fields of all coats, one of which is selected for access. Copies share the arrays until one of them changes
-/// them.
+/// The fields of all coats, one of which is selected for access. Copies share arrays until one copy changes them.
 class FieldSet {
  public:
   /// Sets all fields to their defaults: fur upright and of length 0. Selects coat 0.
@@ -76,15 +75,15 @@ class FieldSet {
   float number(Field field, std::uint32_t vertex) const;
   Groom at(std::uint32_t vertex) const;
 
-  /// Returns what a sheet holds at one vertex. Where no edit layer adds anything, under_sheet holds NaN, because the
-  /// seen value is the groom itself; edit layers hold 0.
+  /// Returns what a sheet holds at one vertex. Where no edit layer adds anything, base_sheet holds NaN, because the
+  /// visible value is the groom itself; edit layers hold 0.
   glm::vec4 on_sheet(Sheet sheet, Field field, std::uint32_t vertex) const;
   /// Returns whether no vertex of the field has anything on the sheet.
   bool untouched(Sheet sheet, Field field) const;
 
   /// Returns all values, channel by channel for each vertex; empty while nothing has touched the field, and after a
   /// delta that has reset all of it.
-  const std::vector<float>& values(Field field) const { return array(seen_sheet, field, owner(field)); }
+  const std::vector<float>& values(Field field) const { return array(visible_sheet, field, owner(field)); }
   bool at_default(Field field) const { return values(field).empty(); }
   std::span<const glm::vec2> direction() const;
   std::span<const glm::vec4> colours(Field field) const;  // for a field with four channels; empty if values() is

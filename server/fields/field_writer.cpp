@@ -12,21 +12,21 @@ bool FieldWriter::put(std::uint32_t vertex, glm::dvec4 value) {
   const int channels = shape_of(field).channels;
   const glm::vec4 before = fields_.value(field, vertex);
   glm::vec4 after = before;
-  bool held = false;
+  bool clamped = false;
   if (field == Field::direction) {
     after = glm::vec4(stored_direction(glm::dvec2(value)), 0, 0);
   } else {
     for (int c = 0; c < channels; ++c) {
       after[c] = stored_value(field, value[c]);
-      held = held || value[c] < shape_of(field).min || value[c] > shape_of(field).max;
+      clamped = clamped || value[c] < shape_of(field).min || value[c] > shape_of(field).max;
     }
   }
-  if (before == after) return held;
+  if (before == after) return clamped;
   part_.vertices.push_back(vertex);
   for (int c = 0; c < channels; ++c) {
     part_.flips.push_back(std::bit_cast<std::uint32_t>(before[c]) ^ std::bit_cast<std::uint32_t>(after[c]));
   }
-  return held;
+  return clamped;
 }
 
 void FieldWriter::reserve(std::size_t vertices) {
@@ -55,9 +55,9 @@ void FieldWriter::finish(FieldDelta& delta) {
 }
 
 glm::dvec4& WorkingField::at(std::uint32_t vertex) {
-  const auto [place, added] = touched_.try_emplace(vertex);
-  if (added) place->second = glm::dvec4(fields_.value(field_, vertex));
-  return place->second;
+  const auto [entry, added] = touched_.try_emplace(vertex);
+  if (added) entry->second = glm::dvec4(fields_.value(field_, vertex));
+  return entry->second;
 }
 
 std::size_t WorkingField::finish(FieldDelta& delta) const {
@@ -66,10 +66,10 @@ std::size_t WorkingField::finish(FieldDelta& delta) const {
   for (const auto& [vertex, value] : touched_) vertices.push_back(vertex);
   std::sort(vertices.begin(), vertices.end());
   FieldWriter writer(fields_, field_);
-  std::size_t held = 0;
-  for (const std::uint32_t v : vertices) held += writer.put(v, touched_.at(v));
+  std::size_t clamped = 0;
+  for (const std::uint32_t v : vertices) clamped += writer.put(v, touched_.at(v));
   writer.finish(delta);
-  return held;
+  return clamped;
 }
 
 }  // namespace pelage

@@ -18,7 +18,7 @@ namespace pelage {
 class FieldWriter {
  public:
   FieldWriter(const FieldSet& fields, Field field)
-      : fields_(fields), part_{field, {}, {}, seen_sheet, fields.owner(field)} {}
+      : fields_(fields), part_{field, {}, {}, visible_sheet, fields.owner(field)} {}
 
   /// Puts a value, rounded and clamped to the field's range. Returns true if it was out of range; always false for
   /// directions, because tools may ask for an inclination beyond 1.
@@ -46,14 +46,14 @@ std::size_t write_in_parallel(const FieldSet& fields, Field field, std::uint32_t
                               const Put& put) {
   constexpr std::uint32_t run = 1 << 14;
   std::vector<FieldWriter> writers((count + run - 1) / run, FieldWriter(fields, field));
-  std::vector<std::size_t> held(writers.size(), 0);
+  std::vector<std::size_t> clamped(writers.size(), 0);
   for_each_in_parallel(static_cast<std::uint32_t>(writers.size()), [&](std::uint32_t r) {
     const std::uint32_t end = std::min(count, (r + 1) * run);
     writers[r].reserve(end - r * run);
-    for (std::uint32_t i = r * run; i < end; ++i) held[r] += put(i, writers[r]);
+    for (std::uint32_t i = r * run; i < end; ++i) clamped[r] += put(i, writers[r]);
   });
   FieldWriter::finish_together(writers, delta);
-  return std::accumulate(held.begin(), held.end(), std::size_t{0});
+  return std::accumulate(clamped.begin(), clamped.end(), std::size_t{0});
 }
 
 /// Values of one field that a tool accesses repeatedly while it is evaluated, in double. The cost depends on the number

@@ -26,7 +26,7 @@ std::string today() {
 
 }  // namespace
 
-Result<double> measure_price(Renderer& renderer) {
+Result<double> measure_cost_ratio(Renderer& renderer) {
   constexpr std::size_t every = 2;  // uses every second row of the dial
   constexpr int repetitions = 3;
   const DialModel& model = default_model();
@@ -39,7 +39,7 @@ Result<double> measure_price(Renderer& renderer) {
     const ViewFeatures view = view_features(frame, furred_skin(scene.view()));
     for (std::size_t row = 0; row < model.rows.size(); row += every) {
       const Knobs& knobs = model.rows[row].knobs;
-      const Result<TimedPicture> timed = draw_often(renderer, frame, knobs, repetitions);
+      const Result<TimedPicture> timed = draw_timed(renderer, frame, knobs, repetitions);
       if (!timed) return timed.status();
       ratios.push_back(timed->cost_ms / predicted_cost(model, view, knobs));
     }
@@ -57,7 +57,7 @@ Status calibrate_machine(GlChoice gl, int threads, const std::string& file) {
   const Result<std::unique_ptr<Renderer>> renderer = make_renderer(context->get(), used);
   if (!renderer) return renderer.status();
   fmt::print(stderr, "Calibrating {}\n", drawn_by(context->get(), (*renderer)->strands_by_gl()));
-  const Result<double> price = measure_price(**renderer);
+  const Result<double> price = measure_cost_ratio(**renderer);
   if (!price) return price.status();
   std::error_code error;
   if (const auto folder = std::filesystem::path(file).parent_path(); !folder.empty())

@@ -8,14 +8,14 @@ namespace pelage {
 
 namespace {
 
-constexpr std::chrono::milliseconds pause_length{20};  // interval at which room for a coat is checked
+constexpr std::chrono::milliseconds pause_length{20};  // interval at which free memory for a coat is checked
 
 }  // namespace
 
 bool Bake::fits(const Coat& coat) const { return stage_ <= Stage::baked && same_strands(coat_, coat); }
 
-CoatBaker::CoatBaker(int threads, std::size_t room, std::function<void()> on_settled)
-    : room_(room), on_settled_(std::move(on_settled)) {
+CoatBaker::CoatBaker(int threads, std::size_t max_bytes, std::function<void()> on_settled)
+    : max_bytes_(max_bytes), on_settled_(std::move(on_settled)) {
   for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { run(); });
 }
 
@@ -28,7 +28,7 @@ CoatBaker::~CoatBaker() {
   for (std::thread& thread : threads_) thread.join();
 }
 
-CoatBaker::Handle CoatBaker::ask(const Coat& coat) {
+CoatBaker::Handle CoatBaker::submit(const Coat& coat) {
   const std::lock_guard lock(mutex_);
   for (const std::weak_ptr<Bake>& known : bakes_) {
     if (BakePtr bake = known.lock(); bake && bake->fits(coat)) return bake;
@@ -41,7 +41,7 @@ CoatBaker::Handle CoatBaker::ask(const Coat& coat) {
 }
 
 std::shared_ptr<const Slices> CoatBaker::wait(const Coat& coat) {
-  for (Handle bake = ask(coat);; bake = ask(coat)) {  // again if it was cancelled just as it was requested
+  for (Handle bake = submit(coat);; bake = submit(coat)) {  // again if it was cancelled just as it was requested
     {
       std::unique_lock lock(mutex_);
       changed_.wait(lock, [&] { return bake->settled(); });
@@ -54,10 +54,10 @@ std::shared_ptr<const Slices> CoatBaker::wait(const Coat& coat) {
 
 std::size_t CoatBaker::bytes() const {
   const std::lock_guard lock(mutex_);
-  return held_bytes();
+  return used_bytes();
 }
 
-std::size_t CoatBaker::held_bytes() const {
+std::size_t CoatBaker::used_bytes() const {
   std::size_t bytes = 0;
   for (const std::weak_ptr<Bake>& known : bakes_) {
     const BakePtr bake = known.lock();
@@ -67,14 +67,14 @@ std::size_t CoatBaker::held_bytes() const {
   return bytes;
 }
 
-/// Takes the earliest requested bake among those that wait and fit into the room. Returns null if there is none.
+/// Takes the earliest requested bake among those that wait and fit into max_bytes. Returns null if there is none.
 CoatBaker::BakePtr CoatBaker::take_fitting() {
-  const std::size_t held = held_bytes();
+  const std::size_t used = used_bytes();
   for (const std::weak_ptr<Bake>& known : bakes_) {
     BakePtr bake = known.lock();
     if (!bake || bake->stage_ != Bake::Stage::waiting) continue;
     const std::size_t needed = baking_bytes();
-    if (held > 0 && (needed > room_ || held > room_ - needed)) continue;
+    if (used > 0 && (needed > max_bytes_ || used > max_bytes_ - needed)) continue;
     bake->stage_ = Bake::Stage::baking;
     return bake;
   }
@@ -106,7 +106,7 @@ void CoatBaker::bake(const BakePtr& bake) {
   const auto go_on = [&] { return !stopping_ && bake.use_count() > 1; };
   try {
     Slices slices = bake_slices(bake->coat_, go_on);
-    if (slices.levels.empty()) return settle(*bake, Bake::Stage::given_up);
+    if (slices.levels.empty()) return settle(*bake, Bake::Stage::cancelled);
     bake->slices_ = std::make_shared<const Slices>(std::move(slices));
     ++baked_;
     settle(*bake, Bake::Stage::baked);

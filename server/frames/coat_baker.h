@@ -34,7 +34,7 @@ class Bake {
 
  private:
   friend class CoatBaker;
-  enum class Stage { waiting, baking, baked, given_up, failed };
+  enum class Stage { waiting, baking, baked, cancelled, failed };
 
   const Coat coat_;
   std::shared_ptr<const Slices> slices_;  // written before `stage_`, as error_ is
@@ -43,19 +43,19 @@ class Bake {
 };
 
 /// Bakes coats. Thread-safe. Concurrent requests for one coat share one baking. Coats that are being baked or are still
-/// held take at most `room` bytes together: a coat that does not fit waits for the others, but a single coat is always
+/// held take at most `max_bytes` together: a coat that does not fit waits for the others, but a single coat is always
 /// baked.
 class CoatBaker {
  public:
   using Handle = std::shared_ptr<const Bake>;
 
   /// Bakes up to `threads` coats at a time. `on_settled` is called without a lock each time one is settled.
-  CoatBaker(int threads, std::size_t room, std::function<void()> on_settled);
+  CoatBaker(int threads, std::size_t max_bytes, std::function<void()> on_settled);
   ~CoatBaker();
   CoatBaker(const CoatBaker&) = delete;
   CoatBaker& operator=(const CoatBaker&) = delete;
 
-  Handle ask(const Coat& coat);
+  Handle submit(const Coat& coat);
   /// Bakes a coat and waits for its slices: a CoatSource. Throws what baking threw.
   std::shared_ptr<const Slices> wait(const Coat& coat);
 
@@ -74,9 +74,9 @@ class CoatBaker {
 
   // The caller of these must hold the lock.
   BakePtr take_fitting();
-  std::size_t held_bytes() const;
+  std::size_t used_bytes() const;
 
-  const std::size_t room_;
+  const std::size_t max_bytes_;
   const std::function<void()> on_settled_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;

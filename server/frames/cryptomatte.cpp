@@ -21,13 +21,13 @@ std::uint32_t mixed(std::uint32_t block) { return std::rotl(block * 0xcc9e2d51u,
 /// Appleby 2011, MurmurHash3_x86_32.
 std::uint32_t murmur3(std::string_view text) {
   std::uint32_t hash = 0;
-  const std::size_t whole = text.size() / 4 * 4;
+  const std::size_t block_bytes = text.size() / 4 * 4;
   for (std::size_t at = 0; at < text.size(); at += 4) {
     std::uint32_t block = 0;
     for (std::size_t k = 0; k < std::min<std::size_t>(4, text.size() - at); ++k)
       block |= std::uint32_t{static_cast<unsigned char>(text[at + k])} << (8 * k);
     hash ^= mixed(block);
-    if (at < whole) hash = std::rotl(hash, 13) * 5 + 0xe6546b64u;
+    if (at < block_bytes) hash = std::rotl(hash, 13) * 5 + 0xe6546b64u;
   }
   hash ^= static_cast<std::uint32_t>(text.size());
   hash = (hash ^ (hash >> 16)) * 0x85ebca6bu;

@@ -26,7 +26,7 @@ Result<DrawnPicture> drawn(Result<Picture> picture) {
   return DrawnPicture(std::move(picture).value());
 }
 
-void place_in_model(FloatImage& position, const ModelPlacement& placement) {
+void to_model_space(FloatImage& position, const ModelPlacement& placement) {
   for (std::size_t i = 0; i < position.rgba.size(); i += 4) {
     if (!(position.rgba[i + 3] > 0)) continue;
     for (int k = 0; k < 3; ++k) {
@@ -150,7 +150,7 @@ std::string encode_aovs(std::vector<FloatImage> images, const FrameRequest& requ
   std::optional<Cryptomatte> matte;
   for (std::size_t i = 0; i < images.size(); ++i) {
     const Aov aov = aovs[i];
-    if (aov == Aov::position || aov == Aov::root) place_in_model(images[i], placement);
+    if (aov == Aov::position || aov == Aov::root) to_model_space(images[i], placement);
     if (aov == Aov::depth) measure_in_model(images[i], placement);
     if (is_coloured(aov) && !request.colour_space.empty()) {
       [[maybe_unused]] const Status converted = picture_files().to_colour_space(request.colour_space, images[i].rgba);
@@ -215,9 +215,9 @@ std::string encode_frame(DrawnPicture picture, const FrameRequest& request, cons
     return encode_aovs(std::move(*aovs), request, frame, placement, {texts.begin(), texts.end()});
   if (const auto* deep = std::get_if<Image16>(&picture)) return png.encode(*deep, keep_alpha, texts);
   Image& image = std::get<Image>(picture);
-  const int kept = request.lossy_quality > 0 ? request.lossy_quality : lossy_quality(knobs);
-  if (request.format == FrameFormat::jpeg) return picture_files().encode_jpeg(image, kept);
-  if (request.format == FrameFormat::webp) return picture_files().encode_webp(image, kept);
+  const int quality = request.lossy_quality > 0 ? request.lossy_quality : lossy_quality(knobs);
+  if (request.format == FrameFormat::jpeg) return picture_files().encode_jpeg(image, quality);
+  if (request.format == FrameFormat::webp) return picture_files().encode_webp(image, quality);
   if (request.format == FrameFormat::npy) return encode_array(image);
   return png.encode(std::move(image), keep_alpha, texts);
 }

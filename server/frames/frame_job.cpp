@@ -23,10 +23,10 @@ Status too_slow(const FrameRequest& request, const FrameCost& cost) {
 }
 
 FrameProgress progress_of(const FrameJob& job, bool is_drawn) {
-  const double passed = job.begun.milliseconds() - job.paused;
+  const double passed = job.since_start.milliseconds() - job.paused;
   const double share = is_drawn && job.cost() > 0 ? std::clamp(passed / job.cost(), 0.0, 0.99) : 0;
   const FrameRequest& request = job.order.request;
-  return {request.view, request.width, request.height, share, job.asked.seconds(), job.order.plan.cost.seconds};
+  return {request.view, request.width, request.height, share, job.since_request.seconds(), job.order.plan.cost.seconds};
 }
 
 }  // namespace pelage

@@ -32,12 +32,12 @@ struct DrawnFrame {
 struct FrameJob {
   FrameOrder order;
   bool linear = false;  // the result is the AOVs linear_aovs(request), whatever the format
-  Stopwatch asked = {};
+  Stopwatch since_request = {};
   std::promise<Result<DrawnFrame>> answer = {};
   CoatBaker::Handle coat = {};  // the bake that it waits for, or waited for
   bool put_back = false;        // it was taken before its coat was baked, and goes back to the queue
   // State while it is drawn:
-  Stopwatch begun = {};
+  Stopwatch since_start = {};
   std::uint64_t copy_id = 0;  // the renderer's copy of the scene
   Revision revision = 0;
   std::optional<double> moment = {};  // time of moving fur, seconds
@@ -50,7 +50,7 @@ struct FrameJob {
 
   double cost() const { return 1e3 * order.plan.cost.seconds; }  // expected, milliseconds
   /// Returns whether the render thread can work on it now.
-  bool ready() const { return !coat || coat->settled() || order.left(); }
+  bool ready() const { return !coat || coat->settled() || order.is_abandoned(); }
   bool same_view(const FrameJob& other) const {
     return !order.request.view.empty() && order.scene == other.order.scene &&
            order.request.view == other.order.request.view;

@@ -34,7 +34,7 @@ struct FrameOrder {
   FramePlan plan;
   std::function<bool()> abandoned = {};  // returns whether nobody waits any more; empty for never
 
-  bool left() const { return abandoned && abandoned(); }
+  bool is_abandoned() const { return abandoned && abandoned(); }
 };
 
 }  // namespace pelage

@@ -53,7 +53,7 @@ Status write_calibration(const std::string& path, const Calibration& calibration
   return failure(Code::internal, "Cannot write " + path + ".");
 }
 
-void FramePlanner::use(Calibration calibration) {
+void FramePlanner::set_calibration(Calibration calibration) {
   const std::lock_guard lock(mutex_);
   calibration_ = std::move(calibration), costs_ = CostLog();
 }
@@ -78,8 +78,8 @@ FramePlan FramePlanner::plan(const FrameRequest& request, const SceneView& scene
   return plan;
 }
 
-void FramePlanner::learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,
-                         double cost_ms) {
+void FramePlanner::record_cost(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate,
+                               double cost_ms) {
   if (is_linear(request.format) || request.overlay != Overlay::none) return;
   const std::lock_guard lock(mutex_);
   costs_.add(frame.model, estimate.cost_ms / estimate.correction, cost_ms);

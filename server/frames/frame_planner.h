@@ -27,12 +27,12 @@ Status write_calibration(const std::string& path, const Calibration& calibration
 class FramePlanner {
  public:
   /// Sets the calibration, from the next frame on, and drops the measured costs.
-  void use(Calibration calibration);
+  void set_calibration(Calibration calibration);
 
   /// Chooses the knobs if the request asks for a budget or an error, and estimates their error and cost.
   FramePlan plan(const FrameRequest& request, const SceneView& scene) const;
   /// Learns from the measured cost of a frame with an estimate. Ignores frames with a linear format or an overlay.
-  void learn(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
+  void record_cost(const FrameRequest& request, const FurFrame& frame, const FrameEstimate& estimate, double cost_ms);
 
  private:
   mutable std::mutex mutex_;  // held only briefly

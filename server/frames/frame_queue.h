@@ -31,23 +31,23 @@ std::string drawn_by(const Context* context, bool strands_by_gl);
 // The order of service: short requests go first, but none waits for ever.
 
 /// The owner of a job, for fairness. Viewers of one scene share its turns.
-struct Subject {
+struct JobOwner {
   std::uint64_t scene = 0, view = 0;
-  bool operator<(const Subject& other) const { return std::pair(scene, view) < std::pair(other.scene, other.view); }
+  bool operator<(const JobOwner& other) const { return std::pair(scene, view) < std::pair(other.scene, other.view); }
 };
 
 /// Counts the turns of each waiting subject. A new subject starts with as many turns as the one with the fewest.
-class Turns {
+class TurnCounts {
  public:
-  void join(Subject subject);
-  void take(Subject subject);
-  std::uint64_t of(Subject subject) const { return waiting_.at(subject).turns; }
+  void join(JobOwner subject);
+  void take(JobOwner subject);
+  std::uint64_t of(JobOwner subject) const { return waiting_.at(subject).turns; }
 
  private:
   struct Waits {
     std::uint64_t turns = 0, jobs = 0;
   };
-  std::map<Subject, Waits> waiting_;
+  std::map<JobOwner, Waits> waiting_;
 };
 
 /// A queue in which scenes take turns, and within a scene its views: a scene with a thousand waiting frames delays no
@@ -59,22 +59,22 @@ class ShortestFirst {
  public:
   static constexpr double idle_timeout = 8;
   /// The maximum cost of a job that may be drawn in the pauses of a running job, relative to the running job's cost.
-  static constexpr double let_in_share = 0.5;
+  static constexpr double max_interleaved_share = 0.5;
 
   bool empty() const { return waiting_.empty(); }
   std::size_t size() const { return waiting_.size(); }
 
   /// Adds a job. `cost` is the expected cost in milliseconds.
-  void add(Job job, double cost, double now, Subject subject = {}) {
+  void add(Job job, double cost, double now, JobOwner subject = {}) {
     scene_turns_.join({subject.scene, 0}), view_turns_.join(subject);
-    waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, came_++, subject});
+    waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, next_arrival_++, subject});
   }
 
   struct Taken {
     Job job;
     double cost, due;  // expected cost and due time, milliseconds
-    std::uint64_t came;
-    Subject subject;
+    std::uint64_t arrival;
+    JobOwner subject;
   };
   /// Takes the first job that is `ready`; nothing if there is none.
   std::optional<Taken> take(const std::function<bool(const Job&)>& ready = [](const Job&) { return true; }) {
@@ -85,7 +85,7 @@ class ShortestFirst {
   void put_back(Taken taken) {
     scene_turns_.join({taken.subject.scene, 0}), view_turns_.join(taken.subject);
     const auto later =
-        std::find_if(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return one.came > taken.came; });
+        std::find_if(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return one.arrival > taken.arrival; });
     waiting_.insert(later, std::move(taken));
   }
 
@@ -93,15 +93,16 @@ class ShortestFirst {
     return std::any_of(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return wanted(one.job); });
   }
 
-  /// Returns a mark for take_beside, later than the arrival of all jobs that wait now.
-  std::uint64_t moment() const { return came_; }
-  /// Takes the first job that arrived before the mark `moment`, costs at most let_in_share of the running job, and is
-  /// accepted by `may`. By the mark a running job admits only jobs that wait when it pauses, so it continues however
-  /// many arrive.
-  std::optional<Taken> take_beside(double running_cost, std::uint64_t moment,
-                                   const std::function<bool(const Job&)>& may) {
-    return take_of(
-        [&](const Taken& one) { return one.came < moment && one.cost <= let_in_share * running_cost && may(one.job); });
+  /// Returns a mark for take_interleaved, later than the arrival of all jobs that wait now.
+  std::uint64_t moment() const { return next_arrival_; }
+  /// Takes the first job that arrived before the mark `moment`, costs at most max_interleaved_share of the running job,
+  /// and is accepted by `may`. By the mark a running job admits only jobs that wait when it pauses, so it continues
+  /// however many arrive.
+  std::optional<Taken> take_interleaved(double running_cost, std::uint64_t moment,
+                                        const std::function<bool(const Job&)>& may) {
+    return take_of([&](const Taken& one) {
+      return one.arrival < moment && one.cost <= max_interleaved_share * running_cost && may(one.job);
+    });
   }
 
   /// Visits all waiting jobs, in order of arrival.
@@ -135,8 +136,8 @@ class ShortestFirst {
   }
 
   std::vector<Taken> waiting_;  // in order of arrival
-  Turns scene_turns_, view_turns_;
-  std::uint64_t came_ = 0;
+  TurnCounts scene_turns_, view_turns_;
+  std::uint64_t next_arrival_ = 0;
 };
 
 }  // namespace pelage

@@ -75,12 +75,12 @@ Result<FramePlan> FrameService::plan(const FrameView& view, const FrameRequest& 
 }
 
 Result<DrawnFrame> FrameService::draw(FrameOrder order) {
-  const YieldGate::Turn turn = impl_->gate.go_first();
-  return impl_->ask(FrameJob{.order = std::move(order)});
+  const YieldGate::Priority priority = impl_->gate.take_priority();
+  return impl_->submit(FrameJob{.order = std::move(order)});
 }
 
 FrameAnswer FrameService::encode(DrawnFrame drawn, const FrameRequest& request, const FileTexts& texts) {
-  const YieldGate::Turn turn = impl_->gate.go_first();
+  const YieldGate::Priority priority = impl_->gate.take_priority();
   const Stopwatch passed;
   FrameAnswer answer{.bytes = {},
                      .content_type = content_type_of(request.format),
@@ -102,12 +102,12 @@ FrameAnswer FrameService::encode(DrawnFrame drawn, const FrameRequest& request, 
 
 Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                           const std::function<bool()>& abandoned) {
-  const YieldGate::Turn turn = impl_->gate.go_first();
+  const YieldGate::Priority priority = impl_->gate.take_priority();
   Result<FrameView> shown = view(*scene, request);
   if (!shown) return shown.status();
   Result<FramePlan> planned = plan(*shown, request);
   if (!planned) return planned.status();
-  Result<DrawnFrame> drawn = impl_->ask(
+  Result<DrawnFrame> drawn = impl_->submit(
       FrameJob{.order = {scene, request, std::move(*shown), std::move(*planned), abandoned}, .linear = true});
   if (!drawn) return drawn.status();
   LinearPicture picture{.revision = drawn->revision,
@@ -137,11 +137,11 @@ FrameProgressList FrameService::progress(const Scene& scene) const {
 Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request) {
   const Result<FrameView> wanted = view(*scene, request);
   if (!wanted) return wanted.status();
-  const Stopwatch asked;
+  const Stopwatch since_request;
   return impl_->run_task<TraceStart>([&](Renderer& renderer) -> Result<TraceStart> {
-    TraceStart start{.timings = {.queue = asked.milliseconds()}};
+    TraceStart start{.timings = {.queue = since_request.milliseconds()}};
     const Stopwatch passed;
-    start.shown = show(renderer, impl_->shown_fur, wanted->snapshot, request, wanted->compared.get());
+    start.shown = sync_snapshot(renderer, impl_->copy_states, wanted->snapshot, request, wanted->compared.get());
     start.timings.upload = passed.milliseconds();
     DrawTimes times;
     Result<Backplate> base = renderer.draw_backplate(start.shown.fur, &times);
@@ -161,7 +161,7 @@ Result<DrawnFrame> FrameService::finish(const LinearPicture& light, const FrameR
                    .timings = light.timings,
                    .counters = light.counters,
                    .trace = light.report};
-  const Stopwatch asked;
+  const Stopwatch since_request;
   Result<DrawnPicture> finished = crop_of(light.aovs, request);
   if (!is_linear(request.format)) {  // linear formats need no finishing
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
@@ -173,13 +173,13 @@ Result<DrawnFrame> FrameService::finish(const LinearPicture& light, const FrameR
   }
   if (!finished) return finished.status();
   drawn.picture = std::move(*finished);
-  drawn.timings.read += asked.milliseconds();
+  drawn.timings.read += since_request.milliseconds();
   return drawn;
 }
 
 std::size_t FrameService::copy_bytes(std::uint64_t model_id) const {
   std::size_t bytes = impl_->memory.of_copies(model_id);
-  for (const SnapshotPtr& copy : impl_->past_scenes.kept(model_id))
+  for (const SnapshotPtr& copy : impl_->past_scenes.cached(model_id))
     bytes += copy->bytes() + impl_->memory.of_copies(copy->copy_id);
   return bytes;
 }
@@ -194,7 +194,7 @@ void FrameService::forget(std::uint64_t model_id) {
   impl_->wake.notify_one();
 }
 
-void FrameService::plan_by(Calibration calibration) { impl_->planner.use(std::move(calibration)); }
+void FrameService::set_calibration(Calibration calibration) { impl_->planner.set_calibration(std::move(calibration)); }
 int FrameService::threads() const { return impl_->threads; }
 
 std::string FrameService::description() const {

@@ -39,7 +39,7 @@ using FileTexts = std::function<std::vector<ImageText>(const FrameAnswer&)>;
 
 /// The start of tracing a picture: the scene's state and the backplate, of one revision.
 struct TraceStart {
-  Shown shown = {};
+  ShownScene shown = {};
   Backplate base = {};
   FrameTimings timings = {};
   FrameCounters counters = {};
@@ -59,7 +59,7 @@ class FrameService {
   ~FrameService();
 
   /// Sets the calibration by which later frames are planned; until then default_calibration applies.
-  void plan_by(Calibration calibration);
+  void set_calibration(Calibration calibration);
   /// Returns the number of CPU threads that draw.
   int threads() const;
 

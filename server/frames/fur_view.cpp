@@ -38,10 +38,10 @@ std::vector<bool> hidden_triangles(const SceneView& scene) {
   return std::find(hidden.begin(), hidden.end(), true) == hidden.end() ? std::vector<bool>() : hidden;
 }
 
-bool stands_on(const std::vector<bool>& hidden, const SceneView& scene, const glm::dvec3& place) {
+bool stands_on(const std::vector<bool>& hidden, const SceneView& scene, const glm::dvec3& position) {
   if (hidden.empty()) return false;
   const Surface& surface = scene.model.surface;
-  return hidden[surface.nearest(surface.mesh().to_internal(place)).triangle];
+  return hidden[surface.nearest(surface.mesh().to_internal(position)).triangle];
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ FurSkinRegion make_region(const SkinRegion& region, const Mesh& mesh) {
   if (region.facing) {
     const SkinFacing& facing = *region.facing;
     made.facing = glm::normalize(facing.direction);
-    made.cosine_whole = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // 180 degrees must cover everything
+    made.cosine_full = std::cos(glm::radians(facing.angle_degrees)) - 1e-6;  // 180 degrees must cover everything
     made.cosine_none = std::cos(glm::radians(std::min(180.0, facing.angle_degrees + facing.fade_degrees)));
   }
   made.colour = region.colour;
@@ -142,31 +142,32 @@ std::uint64_t copy_id(const SceneView& scene) {
   return id;
 }
 
-FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture, const std::vector<bool>& hidden) {
-  FurPieces pieces;
-  pieces.triangles.reserve(patches.pieces.size());
-  pieces.corners.reserve(patches.pieces.size());
-  for (const Piece& piece : patches.pieces) {
-    if (!hidden.empty() && hidden[piece.triangle]) continue;
-    pieces.triangles.push_back(mesh.triangles[piece.triangle]);
-    std::array<FurCorner, 3>& corners = pieces.corners.emplace_back();
+FurTriangles make_fur_triangles(const Mesh& mesh, const PatchMap& patches, bool has_picture,
+                                const std::vector<bool>& hidden) {
+  FurTriangles patch_triangles;
+  patch_triangles.triangles.reserve(patches.patch_triangles.size());
+  patch_triangles.corners.reserve(patches.patch_triangles.size());
+  for (const PatchTriangle& patch_triangle : patches.patch_triangles) {
+    if (!hidden.empty() && hidden[patch_triangle.triangle]) continue;
+    patch_triangles.triangles.push_back(mesh.triangles[patch_triangle.triangle]);
+    std::array<FurCorner, 3>& corners = patch_triangles.corners.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
-      const PatchPoint& point = patches.points[piece.points[static_cast<int>(k)]];
+      const PatchPoint& point = patches.points[patch_triangle.points[static_cast<int>(k)]];
       corners[k].tile_uv = point.uv, corners[k].tile_axis = point.axis, corners[k].weight = point.weight;
-      const LookCorner look = has_picture            ? LookCorner{mesh.texture_uv[piece.triangle][k], glm::vec3(1), 0}
+      const LookCorner look = has_picture ? LookCorner{mesh.texture_uv[patch_triangle.triangle][k], glm::vec3(1), 0}
                               : mesh.corners.empty() ? LookCorner{}
-                                                     : mesh.corners[piece.triangle][k];
-      if (!mesh.shading_normals.empty()) corners[k].normal = mesh.shading_normals[piece.triangle][k];
+                                                     : mesh.corners[patch_triangle.triangle][k];
+      if (!mesh.shading_normals.empty()) corners[k].normal = mesh.shading_normals[patch_triangle.triangle][k];
       corners[k].image_uv = look.uv, corners[k].colour = look.colour, corners[k].image = look.image;
     }
   }
-  return pieces;
+  return patch_triangles;
 }
 
 ModelArrays make_arrays(const SceneView& scene) {
   const Mesh& mesh = scene.model.surface.mesh();
   const RawImage* picture = scene.skin_texture;
-  ModelArrays arrays{make_pieces(mesh, scene.model.patches, picture != nullptr, hidden_triangles(scene)), {}};
+  ModelArrays arrays{make_fur_triangles(mesh, scene.model.patches, picture != nullptr, hidden_triangles(scene)), {}};
   if (picture) {
     arrays.images.push_back({picture->width, picture->height, picture->rgba});
   } else {
@@ -181,8 +182,8 @@ FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
                  mesh.positions,
                  mesh.normals,
                  mesh.tangents,
-                 arrays.pieces.triangles,
-                 arrays.pieces.corners,
+                 arrays.patch_triangles.triangles,
+                 arrays.patch_triangles.corners,
                  arrays.images,
                  scene.skin_texture || !mesh.corners.empty(),
                  scene.copy_id};
@@ -193,7 +194,7 @@ FurModel make_model(const SceneView& scene, const ModelArrays& arrays) {
   return model;
 }
 
-std::vector<NamedCoat> seen_coats(const SceneSettings& settings) {
+std::vector<NamedCoat> visible_coats(const SceneSettings& settings) {
   std::vector<NamedCoat> seen;
   for (const NamedCoat& coat : settings.coats)
     if (!coat.muted) seen.push_back(coat);
@@ -205,7 +206,7 @@ std::vector<NamedCoat> seen_coats(const SceneSettings& settings) {
 std::vector<FurFields> make_fields(const SceneView& scene, std::span<const FurSkinRegion> skin,
                                    std::span<const DirtyRange> dirty, const MovedFur* moved) {
   std::vector<FurFields> all;
-  for (const NamedCoat& coat : seen_coats(scene.settings)) {
+  for (const NamedCoat& coat : visible_coats(scene.settings)) {
     const FieldSet fields = scene.fields.of_coat(coat.id);  // shares the scene's arrays
     FurFields& made = all.emplace_back(FurFields{fields.direction(), fields.length(), dirty, skin, make_paint(fields)});
     if (moved) made.direction = (*moved)[all.size() - 1];
@@ -236,9 +237,10 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
 FurredSkin furred_skin(const SceneView& scene) {
   const Mesh& mesh = scene.model.surface.mesh();
   FurredSkin skin{mesh.positions, mesh.normals, mesh.triangles,
-                  scene.fields.of_coat(seen_coats(scene.settings).front().id).length()};
+                  scene.fields.of_coat(visible_coats(scene.settings).front().id).length()};
   if (!mesh.triangles.empty())
-    skin.pieces = static_cast<double>(scene.model.patches.pieces.size()) / static_cast<double>(mesh.triangles.size());
+    skin.patch_triangles =
+        static_cast<double>(scene.model.patches.patch_triangles.size()) / static_cast<double>(mesh.triangles.size());
   return skin;
 }
 
@@ -246,7 +248,7 @@ FurFrame make_frame(const SceneView& scene, const FrameRequest& request) {
   const Mesh& mesh = scene.model.surface.mesh();
   FurFrame frame;
   frame.model = copy_id(scene);
-  frame.coats = seen_coats(scene.settings);
+  frame.coats = visible_coats(scene.settings);
   frame.look = request.look.value_or(scene.settings.look);
   frame.environment = scene.settings.environment;
   if (scene.settings.ground.visible) frame.ground = make_ground(scene.settings.ground, mesh);

@@ -34,25 +34,25 @@ UploadCount sync_scene(Renderer& renderer, const SceneView& scene, const std::ve
                        const MovedFur* moved = nullptr, bool shells = false);
 
 /// Returns the visible coats of a scene, in its order.
-std::vector<NamedCoat> seen_coats(const SceneSettings& settings);
+std::vector<NamedCoat> visible_coats(const SceneSettings& settings);
 
 /// Returns the key by which the renderer caches the model. It depends on the skin texture and on the hidden triangles.
 std::uint64_t copy_id(const SceneView& scene);
 
 /// The triangles to draw, one for each patch that covers a triangle of the model. Each corner has its position on the
 /// sample tile, the patch's weight there and the model's own appearance.
-struct FurPieces {
+struct FurTriangles {
   std::vector<glm::uvec3> triangles;
   std::vector<std::array<FurCorner, 3>> corners;
 };
 /// Makes the triangles to draw. With `has_picture`, corners have the model's texture coordinates and image 0 in place
 /// of the model's own appearance. `hidden`, one for each triangle of the mesh, leaves out triangles; empty for none.
-FurPieces make_pieces(const Mesh& mesh, const PatchMap& patches, bool has_picture = false,
-                      const std::vector<bool>& hidden = {});
+FurTriangles make_fur_triangles(const Mesh& mesh, const PatchMap& patches, bool has_picture = false,
+                                const std::vector<bool>& hidden = {});
 
 /// Data that a FurModel refers to, in addition to the scene's mesh and picture.
 struct ModelArrays {
-  FurPieces pieces;
+  FurTriangles patch_triangles;
   std::vector<ImageView> images;
 };
 ModelArrays make_arrays(const SceneView& scene);

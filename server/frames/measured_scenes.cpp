@@ -70,7 +70,7 @@ FurFrame measured_frame(const SceneView& scene, const CalibrationScene::View& vi
   return frame;
 }
 
-Result<TimedPicture> draw_often(Renderer& renderer, FurFrame frame, const Knobs& knobs, int repetitions) {
+Result<TimedPicture> draw_timed(Renderer& renderer, FurFrame frame, const Knobs& knobs, int repetitions) {
   constexpr double min_cost = 1e-3;
   frame.knobs = knobs;
   Result<TimedPicture> timed = failure(Code::internal, "no repetition");

@@ -49,6 +49,6 @@ struct TimedPicture {
 };
 
 /// Draws the frame `repetitions` times with the knobs. Fails as Renderer::draw does.
-Result<TimedPicture> draw_often(Renderer& renderer, FurFrame frame, const Knobs& knobs, int repetitions);
+Result<TimedPicture> draw_timed(Renderer& renderer, FurFrame frame, const Knobs& knobs, int repetitions);
 
 }  // namespace pelage

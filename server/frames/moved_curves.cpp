@@ -27,13 +27,13 @@ glm::dvec3 across(glm::dvec3 along) {
 /// their arc length from the root.
 void bend(std::vector<glm::dvec3>& points, double length, glm::dvec3 axis, double angle) {
   double passed = 0;
-  glm::dvec3 place = points.front(), before = place;
+  glm::dvec3 position = points.front(), before = position;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const glm::dvec3 piece = points[i] - before;
+    const glm::dvec3 segment = points[i] - before;
     before = points[i];
-    passed += glm::length(piece);
-    const glm::dmat3 turn(glm::rotate(glm::dmat4(1), angle * passed / length, axis));
-    points[i] = place += turn * piece;
+    passed += glm::length(segment);
+    const glm::dmat3 rotation(glm::rotate(glm::dmat4(1), angle * passed / length, axis));
+    points[i] = position += rotation * segment;
   }
 }
 
@@ -50,12 +50,12 @@ BodyMotion motion_under(const FurCurves& curves, const Surface& surface, const B
 
 /// Moves the curves as `swayed` moves strands that stand along them.
 void sway_curves(FurCurves& curves, const Wind& wind, double moment, const BodyMotion* body) {
-  if (!blows(wind) && !body) return;
+  if (!has_wind(wind) && !body) return;
   std::vector<glm::vec3> roots, along, side;
   std::vector<float> lengths;
   for (const FurGuide& guide : curves.guides) {
-    const glm::dvec3 way = guide.points.back() - guide.points.front();
-    const glm::dvec3 unit = glm::length(way) > 1e-9 ? glm::normalize(way) : guide.normal;
+    const glm::dvec3 root_to_tip = guide.points.back() - guide.points.front();
+    const glm::dvec3 unit = glm::length(root_to_tip) > 1e-9 ? glm::normalize(root_to_tip) : guide.normal;
     roots.emplace_back(guide.points.front()), along.emplace_back(unit), side.emplace_back(across(unit));
     lengths.push_back(static_cast<float>(length_of(guide.points)));
   }

@@ -15,7 +15,7 @@ namespace pelage {
 /// rebuilds and uploads nothing. Each copy has a copy_id of its own for the renderer.
 class PastScenes {
  public:
-  static constexpr std::size_t max_kept = 2;
+  static constexpr std::size_t max_cached = 2;
 
   /// Returns the scene at a revision: its own snapshot for the present one, else a cached copy, or a new one made from
   /// the journal while commands continue. Refuses (invalid, "/revision") a revision that the scene's model does not
@@ -26,14 +26,14 @@ class PastScenes {
   void forget(std::uint64_t present);
 
   /// Returns, once, the copy_id of each copy that nobody holds any more, so that the renderer can drop it.
-  std::vector<std::uint64_t> take_gone();
-  bool has_gone() const;
+  std::vector<std::uint64_t> take_released();
+  bool has_released() const;
 
   /// Returns the cached copies of a scene; `present` is its own copy_id.
-  std::vector<SnapshotPtr> kept(std::uint64_t present) const;
+  std::vector<SnapshotPtr> cached(std::uint64_t present) const;
 
  private:
-  struct Kept {
+  struct Cached {
     std::uint64_t present;
     Revision revision;
     SnapshotPtr copy;
@@ -43,13 +43,13 @@ class PastScenes {
     std::weak_ptr<const SceneSnapshot> copy;
   };
 
-  SnapshotPtr find_kept(std::uint64_t present, Revision revision);
-  void keep(Kept copy);
+  SnapshotPtr find_cached(std::uint64_t present, Revision revision);
+  void cache(Cached copy);
   std::uint64_t new_copy_id();
 
   mutable std::mutex mutex_;
-  std::vector<Kept> kept_;  // most recently used last
-  std::vector<Made> made_;  // all living copies, cached or held only by frames
+  std::vector<Cached> cached_;  // most recently used last
+  std::vector<Made> made_;      // all living copies, cached or held only by frames
   std::uint64_t ids_ = 0;
 };
 

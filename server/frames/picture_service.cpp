@@ -17,7 +17,7 @@ Result<PictureService::Encode> PictureService::begin_frame(const std::shared_ptr
   if (!plan) return plan.status();
 
   // The picture: traced pass by pass and then finished, or rasterized, where only what has changed is drawn again.
-  if (!traced && !request.progressive) traces_.turn_from(*scene, request);
+  if (!traced && !request.progressive) traces_.supersede_view(*scene, request);
   Result<DrawnFrame> drawn = traced ? trace(scene, request, abandoned)
                                     : frames_.draw({scene, request, std::move(*view), std::move(*plan), abandoned});
   if (!drawn) return drawn.status();
@@ -58,9 +58,9 @@ Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, cons
   if (request.knobs.method != Method::strands) {
     const Result<FrameView> view = frames_.view(*scene, request);
     if (!view) return view.status();
-    FrameRequest patient = request;
-    patient.max_seconds = limits::frame_seconds;  // a cost above the request's limit is reported, not refused
-    const Result<FramePlan> plan = frames_.plan(*view, patient);
+    FrameRequest unlimited = request;
+    unlimited.max_seconds = limits::frame_seconds;  // a cost above the request's limit is reported, not refused
+    const Result<FramePlan> plan = frames_.plan(*view, unlimited);
     return plan ? Result<FrameCost>(plan->cost) : plan.status();
   }
   const FrameRequest probe = probe_of(request);
@@ -70,22 +70,22 @@ Result<FrameCost> PictureService::cost(const std::shared_ptr<Scene>& scene, cons
   return picture ? trace_cost(request, (*picture)->report) : Result<FrameCost>(picture.status());
 }
 
-Status PictureService::look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen) {
+Status PictureService::improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen) {
   return traces_.improve(scene, request, seen.revision);
 }
 
 bool PictureService::has_better_picture(const Scene& scene, const FrameRequest& request, SeenPicture seen) {
-  return traces_.better(scene, request, seen).has_value();
+  return traces_.better_picture(scene, request, seen).has_value();
 }
 
 std::optional<Result<FrameAnswer>> PictureService::picture_if_better(const Scene& scene, const FrameRequest& request,
                                                                      SeenPicture seen) {
   if (!scene.is_at(seen.revision)) return {};
-  const auto better = traces_.better(scene, request, seen);
-  if (!better) return {};
-  if (!*better) return Result<FrameAnswer>(better->status());
+  const auto better_picture = traces_.better_picture(scene, request, seen);
+  if (!better_picture) return {};
+  if (!*better_picture) return Result<FrameAnswer>(better_picture->status());
   const FrameRequest traced = traced_request(request);
-  Result<DrawnFrame> drawn = frames_.finish(***better, traced);
+  Result<DrawnFrame> drawn = frames_.finish(***better_picture, traced);
   return drawn ? frames_.encode(std::move(*drawn), traced) : Result<FrameAnswer>(drawn.status());
 }
 

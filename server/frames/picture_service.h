@@ -33,7 +33,7 @@ class PictureService {
                          const std::function<bool()>& abandoned = {});
 
   /// Records that a client waits for a better picture than the one it has seen (TraceQueue::improve).
-  Status look(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen);
+  Status improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, SeenPicture seen);
   /// Returns whether `picture_if_better` has an answer. Does not wait.
   bool has_better_picture(const Scene& scene, const FrameRequest& request, SeenPicture seen);
   /// Returns a better picture of the revision that was seen, or the reason why there is none. Returns nothing while the

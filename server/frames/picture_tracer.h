@@ -28,15 +28,15 @@ class PictureTracer {
   virtual Status add_pass(const GoOn& go_on) = 0;
 
   /// A picture set aside for another one.
-  struct Aside {
-    virtual ~Aside() = default;
+  struct SuspendedPicture {
+    virtual ~SuspendedPicture() = default;
   };
   /// Sets the picture aside, so that another may be begun or resumed.
-  virtual std::unique_ptr<Aside> set_aside() = 0;
+  virtual std::unique_ptr<SuspendedPicture> suspend() = 0;
   /// Returns the bytes of memory that a picture takes when it is set aside.
   virtual std::size_t bytes() const = 0;
   /// Continues a picture at its own revision, with the same bits as without the interruption. Fails as `begin` does.
-  virtual Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) = 0;
+  virtual Status resume(std::unique_ptr<SuspendedPicture> suspended, const GoOn& go_on) = 0;
   virtual TraceReport report() const = 0;
   /// Returns the picture so far. Requires at least one pass.
   virtual LinearPicture picture() const = 0;

@@ -31,7 +31,7 @@ void FrameService::Impl::run(std::promise<Status>& started) {
   Result<std::unique_ptr<Context>> opened = contexts();
   if (!opened) return started.set_value(opened.status());
   context = std::move(*opened);
-  planner.use(default_calibration(threads));
+  planner.set_calibration(default_calibration(threads));
   Result<std::unique_ptr<Renderer>> renderer =
       make_renderer(context.get(), threads, [this](const Coat& coat) { return baker.wait(coat); });
   if (!renderer) return started.set_value(renderer.status());
@@ -55,7 +55,7 @@ void FrameService::Impl::renew_gl(Renderer& renderer) {
 
 bool FrameService::Impl::has_work() const {
   const auto ready = [](const std::unique_ptr<FrameJob>& job) { return job->ready(); };
-  return stopping || jobs.any(ready) || !tasks.empty() || !forgotten.empty() || past_scenes.has_gone();
+  return stopping || jobs.any(ready) || !tasks.empty() || !forgotten.empty() || past_scenes.has_released();
 }
 
 void FrameService::Impl::serve(Renderer& renderer) {
@@ -82,25 +82,25 @@ bool FrameService::Impl::serve_next(Renderer& renderer) {
       tasks.pop_front();
     }
   }
-  if (forgot) give_memory_back();
+  if (forgot) trim_allocator();
   if (job) finish(renderer, std::move(*job));
   if (task) task(&renderer);
   return true;
 }
 
 bool FrameService::Impl::forget_gone(Renderer& renderer) {
-  std::vector<std::uint64_t> gone = past_scenes.take_gone();
+  std::vector<std::uint64_t> gone = past_scenes.take_released();
   gone.insert(gone.end(), forgotten.begin(), forgotten.end());
   forgotten.clear();
   if (gone.empty()) return false;
   for (const std::uint64_t model : gone)
-    renderer.forget(model), memory.forget(renderer, model), shown_fur.forget(model);
+    renderer.forget(model), memory.forget(renderer, model), copy_states.forget(model);
   return true;
 }
 
 void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken) {
   FrameJob& job = *taken.job;
-  job.begun = {};
+  job.since_start = {};
   {
     const std::lock_guard lock(mutex);
     running.push_back(&job);
@@ -123,23 +123,23 @@ void FrameService::Impl::finish(Renderer& renderer, ShortestFirst<std::unique_pt
   job.answer.set_value(std::move(frame));
 }
 
-bool FrameService::Impl::let_in(Renderer& renderer, FrameJob& job) {
+bool FrameService::Impl::run_interleaved(Renderer& renderer, FrameJob& job) {
   const Stopwatch passed;
   const auto may = [&](const std::unique_ptr<FrameJob>& other) {
     return other->ready() && (job.restarts < max_restarts || other->snapshot()->view().copy_id != job.copy_id);
   };
   // Once it has taken longer than expected, the time taken counts as its cost, so that longer frames count as short.
-  const double taken = job.begun.milliseconds() - job.paused;
+  const double taken = job.since_start.milliseconds() - job.paused;
   auto next = [&, moment = std::optional<std::uint64_t>()]() mutable {
     const std::lock_guard lock(mutex);
     job.given_up = job.given_up || stopping;
     if (!moment) moment = jobs.moment();
     if (running.size() >= max_running) return std::optional<ShortestFirst<std::unique_ptr<FrameJob>>::Taken>();
-    return jobs.take_beside(std::max(job.cost(), taken), *moment, may);
+    return jobs.take_interleaved(std::max(job.cost(), taken), *moment, may);
   };
   while (auto other = next()) finish(renderer, std::move(*other));
   job.overdue = taken > 1e3 * job.order.request.max_seconds;
-  job.given_up = job.given_up || job.outdated || job.overdue || job.order.left();
+  job.given_up = job.given_up || job.outdated || job.overdue || job.order.is_abandoned();
   const std::lock_guard lock(mutex);
   job.paused += passed.milliseconds();
   return !job.given_up;
@@ -161,9 +161,10 @@ Status FrameService::Impl::can_draw(const Knobs& knobs) const {
 }
 
 Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
-  if (job.order.left()) return left_alone();
+  if (job.order.is_abandoned()) return left_alone();
   const Stopwatch passed;
-  Shown shown = show(renderer, shown_fur, job.snapshot(), job.order.request, job.order.view.compared.get());
+  ShownScene shown =
+      sync_snapshot(renderer, copy_states, job.snapshot(), job.order.request, job.order.view.compared.get());
   job.copy_id = shown.copy_id(), job.revision = shown.revision(), job.moment = shown.moment;
   mark_outdated(job);
   shown.fur.knobs = job.order.plan.knobs;
@@ -174,26 +175,26 @@ Result<DrawnFrame> FrameService::Impl::draw(Renderer& renderer, FrameJob& job) {
   return draw_shown(renderer, job, std::move(shown), passed);
 }
 
-Result<DrawnFrame> FrameService::Impl::draw_shown(Renderer& renderer, FrameJob& job, Shown shown,
+Result<DrawnFrame> FrameService::Impl::draw_shown(Renderer& renderer, FrameJob& job, ShownScene shown,
                                                   const Stopwatch& passed) {
   const FrameRequest& request = job.order.request;
   DrawnFrame frame{.revision = shown.revision(), .placement = shown.placement, .estimate = job.order.plan.estimate};
-  frame.timings.queue = job.asked.milliseconds() - passed.milliseconds();
+  frame.timings.queue = job.since_request.milliseconds() - passed.milliseconds();
   frame.timings.upload = passed.milliseconds();
   const double paused = job.paused;
   DrawTimes times;
   Result<DrawnPicture> picture = draw_for_format(renderer, shown.fur, job.linear ? linear_request(request) : request,
-                                                 times, [&] { return let_in(renderer, job); });
+                                                 times, [&] { return run_interleaved(renderer, job); });
   memory.measure(renderer, shown.copy_id());
   const bool of_frame = picture || renderer.lost_gl();  // a lost GL is renewed
   count(passed.milliseconds() - (job.paused - paused), of_frame ? Status{} : picture.status());
   if (job.given_up && job.overdue) return too_slow(request, job.order.plan.cost);
-  if (job.given_up) return job.outdated || !job.order.left() ? server_stopping() : left_alone();
+  if (job.given_up) return job.outdated || !job.order.is_abandoned() ? server_stopping() : left_alone();
   ++drawn;
   if (!picture) return picture.status();
   frame.timings.draw = times.draw, frame.timings.cpu = times.cpu;
   if (frame.estimate && times.counters.redrawn == 1 && !request.crop)
-    planner.learn(request, shown.fur, *frame.estimate, frame.timings.draw);
+    planner.record_cost(request, shown.fur, *frame.estimate, frame.timings.draw);
   frame.counters = times.counters;
   frame.picture = std::move(*picture);
   frame.frame = std::make_shared<const FurFrame>(std::move(shown.fur));
@@ -202,7 +203,7 @@ Result<DrawnFrame> FrameService::Impl::draw_shown(Renderer& renderer, FrameJob& 
 
 bool FrameService::Impl::waits_for_coat(const Renderer& renderer, const FurFrame& frame, FrameJob& job) {
   if (!renderer.misses_coat(frame)) return job.coat = nullptr, false;
-  if (!job.coat || !job.coat->fits(frame.coat())) job.coat = baker.ask(frame.coat());
+  if (!job.coat || !job.coat->fits(frame.coat())) job.coat = baker.submit(frame.coat());
   return job.put_back = !job.coat->settled();
 }
 
@@ -215,14 +216,14 @@ void FrameService::Impl::add(std::unique_ptr<FrameJob> job) {
     *older = std::move(job);
   } else {
     const double cost = job->cost();
-    const Subject subject{std::hash<Scene*>()(job->order.scene.get()),
-                          std::hash<std::string>()(job->order.request.view)};
+    const JobOwner subject{std::hash<Scene*>()(job->order.scene.get()),
+                           std::hash<std::string>()(job->order.request.view)};
     jobs.add(std::move(job), cost, running_time.milliseconds(), subject);
   }
   wake.notify_one();
 }
 
-Result<DrawnFrame> FrameService::Impl::ask(FrameJob job) {
+Result<DrawnFrame> FrameService::Impl::submit(FrameJob job) {
   std::future<Result<DrawnFrame>> answer = job.answer.get_future();
   add(std::make_unique<FrameJob>(std::move(job)));
   return answer.get();

@@ -50,7 +50,7 @@ struct FrameService::Impl {
   std::atomic<double> seconds{0};
   RendererMemory memory;
   PastScenes past_scenes;
-  ShownFur shown_fur;  // used by the render thread only
+  RendererCopyStates copy_states;  // used by the render thread only
   FramePlanner planner;
   const int threads;  // CPU threads that draw
   PngEncoder png;     // used by callers, not by the render thread
@@ -76,12 +76,12 @@ struct FrameService::Impl {
   void finish(Renderer& renderer, ShortestFirst<std::unique_ptr<FrameJob>>::Taken taken);
   Result<DrawnFrame> draw(Renderer& renderer, FrameJob& job);
   /// Draws the shown scene. Returns the picture with its timings, and updates the counters.
-  Result<DrawnFrame> draw_shown(Renderer& renderer, FrameJob& job, Shown shown, const Stopwatch& passed);
+  Result<DrawnFrame> draw_shown(Renderer& renderer, FrameJob& job, ShownScene shown, const Stopwatch& passed);
   /// Refuses (invalid) shells if there is no GL.
   Status can_draw(const Knobs& knobs) const;
   /// Called in the pauses of a job: draws the jobs that wait now and are short compared to it. Returns whether the job
   /// continues.
-  bool let_in(Renderer& renderer, FrameJob& job);
+  bool run_interleaved(Renderer& renderer, FrameJob& job);
   /// Replaces a lost GL by a new one, or by none if none is available.
   void renew_gl(Renderer& renderer);
   /// Marks running frames of the job's scene that show another revision or time; they have to restart.
@@ -89,7 +89,7 @@ struct FrameService::Impl {
   void count(double milliseconds, const Status& outcome);
   void add(std::unique_ptr<FrameJob> job);
   /// Adds a job and waits for its frame.
-  Result<DrawnFrame> ask(FrameJob job);
+  Result<DrawnFrame> submit(FrameJob job);
   /// Runs `work` on the render thread and waits for it.
   template <class T>
   Result<T> run_task(const std::function<Result<T>(Renderer&)>& work);

@@ -15,43 +15,43 @@ Result<Revision> SceneTracer::begin(const std::shared_ptr<Scene>& scene, const F
     return refused;
   Result<TraceStart> start = frames_.begin_trace(scene, request);
   if (!start) return start.status();
-  Shown& shown = start->shown;
-  begun_ = std::make_unique<Begun>();
-  begun_->scene = shown.snapshot, begun_->masked = request.masked;
-  begun_->aovs = aovs;
-  begun_->picture = {.revision = shown.revision(),
-                     .report = {},
-                     .aovs = {},
-                     .frame = std::make_shared<const FurFrame>(std::move(shown.fur)),
-                     .placement = shown.placement,
-                     .timings = start->timings,
-                     .counters = start->counters,
-                     .past = request.revision ? shown.snapshot : nullptr};
-  const SceneView view = begun_->view();
+  ShownScene& shown = start->shown;
+  current_ = std::make_unique<TracedPicture>();
+  current_->scene = shown.snapshot, current_->masked = request.masked;
+  current_->aovs = aovs;
+  current_->picture = {.revision = shown.revision(),
+                       .report = {},
+                       .aovs = {},
+                       .frame = std::make_shared<const FurFrame>(std::move(shown.fur)),
+                       .placement = shown.placement,
+                       .timings = start->timings,
+                       .counters = start->counters,
+                       .past = request.revision ? shown.snapshot : nullptr};
+  const SceneView view = current_->view();
   const double open = request.knobs.trace.shutter;
   const bool blurred = shown.moment && open > 0;
-  begun_->opening = blurred ? moved_at(view, *shown.moment - open / 2) : shown.direction;
-  begun_->closing = blurred ? moved_at(view, *shown.moment + open / 2) : nullptr;
-  Status status = with_views(*begun_, [&](const FurModel& model, const std::vector<FurFields>& fields) {
-    return tracer_.begin(model, fields, *begun_->picture.frame, std::move(start->base), aovs, go_on);
+  current_->opening = blurred ? moved_at(view, *shown.moment - open / 2) : shown.direction;
+  current_->closing = blurred ? moved_at(view, *shown.moment + open / 2) : nullptr;
+  Status status = with_views(*current_, [&](const FurModel& model, const std::vector<FurFields>& fields) {
+    return tracer_.begin(model, fields, *current_->picture.frame, std::move(start->base), aovs, go_on);
   });
   if (!status.ok()) return status;
-  return begun_->picture.revision;
+  return current_->picture.revision;
 }
 
-std::unique_ptr<PictureTracer::Aside> SceneTracer::set_aside() {
-  begun_->traced = tracer_.set_aside();
-  return std::move(begun_);
+std::unique_ptr<PictureTracer::SuspendedPicture> SceneTracer::suspend() {
+  current_->traced = tracer_.suspend();
+  return std::move(current_);
 }
 
-Status SceneTracer::resume(std::unique_ptr<Aside> aside, const GoOn& go_on) {
-  begun_.reset(static_cast<Begun*>(aside.release()));
-  return with_views(*begun_, [&](const FurModel& model, const std::vector<FurFields>& fields) {
-    return tracer_.resume(model, fields, std::move(begun_->traced), go_on);
+Status SceneTracer::resume(std::unique_ptr<SuspendedPicture> suspended, const GoOn& go_on) {
+  current_.reset(static_cast<TracedPicture*>(suspended.release()));
+  return with_views(*current_, [&](const FurModel& model, const std::vector<FurFields>& fields) {
+    return tracer_.resume(model, fields, std::move(current_->traced), go_on);
   });
 }
 
-Status SceneTracer::with_views(const Begun& begun,
+Status SceneTracer::with_views(const TracedPicture& begun,
                                const std::function<Status(const FurModel&, const std::vector<FurFields>&)>& use) {
   const SceneView view = begun.view();
   const Mesh& mesh = view.model.surface.mesh();
@@ -63,13 +63,13 @@ Status SceneTracer::with_views(const Begun& begun,
 }
 
 LinearPicture SceneTracer::picture() const {
-  LinearPicture picture = begun_->picture;
+  LinearPicture picture = current_->picture;
   picture.report = tracer_.report();
-  for (const Aov aov : begun_->aovs) picture.aovs.push_back(tracer_.aov(aov));
+  for (const Aov aov : current_->aovs) picture.aovs.push_back(tracer_.aov(aov));
   return picture;
 }
 
-const ModelArrays& SceneTracer::arrays_of(const Begun& begun) {
+const ModelArrays& SceneTracer::arrays_of(const TracedPicture& begun) {
   const SceneView now = begun.view();
   const std::uint64_t id = copy_id(now);
   if (!arrays_of_ || &arrays_of_->view().model != &now.model || arrays_id_ != id)

@@ -20,15 +20,15 @@ class SceneTracer : public PictureTracer {
 
   Result<Revision> begin(const std::shared_ptr<Scene>& scene, const FrameRequest& request, const GoOn& go_on) override;
   Status add_pass(const GoOn& go_on) override { return tracer_.add_pass(go_on); }
-  std::unique_ptr<Aside> set_aside() override;
-  std::size_t bytes() const override { return tracer_.picture_bytes() + begun_->scene->bytes(); }
-  Status resume(std::unique_ptr<Aside> aside, const GoOn& go_on) override;
+  std::unique_ptr<SuspendedPicture> suspend() override;
+  std::size_t bytes() const override { return tracer_.picture_bytes() + current_->scene->bytes(); }
+  Status resume(std::unique_ptr<SuspendedPicture> suspended, const GoOn& go_on) override;
   TraceReport report() const override { return tracer_.report(); }
   LinearPicture picture() const override;
 
  private:
   /// A picture with its inputs.
-  struct Begun : Aside {
+  struct TracedPicture : SuspendedPicture {
     SnapshotPtr scene;
     bool masked = false;
     SceneView view() const { return scene->view(masked); }
@@ -38,13 +38,13 @@ class SceneTracer : public PictureTracer {
     std::shared_ptr<Tracer::Picture> traced;
   };
   /// Calls use(model, fields) with views of a picture's inputs.
-  Status with_views(const Begun& begun,
+  Status with_views(const TracedPicture& begun,
                     const std::function<Status(const FurModel&, const std::vector<FurFields>&)>& use);
-  const ModelArrays& arrays_of(const Begun& begun);
+  const ModelArrays& arrays_of(const TracedPicture& begun);
 
   FrameService& frames_;
   Tracer tracer_;
-  std::unique_ptr<Begun> begun_;
+  std::unique_ptr<TracedPicture> current_;
   // Cache of the last model's arrays, which `arrays_of_` keeps alive.
   SnapshotPtr arrays_of_;
   std::uint64_t arrays_id_ = 0;  // copy_id of the cached arrays

@@ -28,12 +28,12 @@ FrameRequest pixel_request(const View& view, glm::dvec2 pixel) {
 
 }  // namespace
 
-bool reaches_fur(const PickRequest& wanted) {
+bool asks_for_strand(const PickRequest& wanted) {
   return wanted.reach == Reach::fur && !wanted.ray && !wanted.farthest && !wanted.nearest;
 }
 
-Result<std::optional<PickedStrand>> seen_strand(FrameService& frames, const std::shared_ptr<Scene>& scene,
-                                                const View& view, glm::dvec2 pixel) {
+Result<std::optional<PickedStrand>> strand_at_pixel(FrameService& frames, const std::shared_ptr<Scene>& scene,
+                                                    const View& view, glm::dvec2 pixel) {
   const FrameRequest request = pixel_request(view, pixel);
   const Result<LinearPicture> picture = frames.light(scene, request);
   if (!picture) return picture.status();

@@ -12,21 +12,21 @@ MovedDirection moved_at(const SceneView& scene, double moment) {
   std::optional<BodyMotion> body;
   if (scene.swing) body = BodyMotion{scene.swing->acceleration, scene.swing->step};
   MovedFur moved;
-  for (const NamedCoat& coat : seen_coats(scene.settings)) {
+  for (const NamedCoat& coat : visible_coats(scene.settings)) {
     const FieldSet fields = scene.fields.of_coat(coat.id);
-    const StillFur fur{mesh.positions,     mesh.normals,    mesh.tangents,
-                       fields.direction(), fields.length(), fields.values(Field::stiffness)};
+    const RestFur fur{mesh.positions,     mesh.normals,    mesh.tangents,
+                      fields.direction(), fields.length(), fields.values(Field::stiffness)};
     moved.push_back(swayed(fur, scene.settings.wind, moment, body ? &*body : nullptr));
   }
   return std::make_shared<const MovedFur>(std::move(moved));
 }
 
 std::optional<double> moment_of(const SceneView& scene, const FrameRequest& request) {
-  if (!blows(scene.settings.wind) && !scene.swing) return {};
+  if (!has_wind(scene.settings.wind) && !scene.swing) return {};
   return request.time.value_or(scene.settings.wind.time);
 }
 
-ShownFur::Difference ShownFur::update(const SceneSnapshot& snapshot, std::optional<double> moment) {
+RendererCopyStates::Difference RendererCopyStates::update(const SceneSnapshot& snapshot, std::optional<double> moment) {
   const SceneView view = snapshot.view();
   Copy& copy = copies_[view.copy_id];
   const bool same_lean = copy.moment == moment && (!moment || copy.revision == view.revision);
@@ -35,10 +35,10 @@ ShownFur::Difference ShownFur::update(const SceneSnapshot& snapshot, std::option
   std::optional<std::vector<VertexRange>> touched;
   if (same_lean && copy.change) touched = snapshot.changes.since(*copy.change);
   copy.change.reset();
-  return {touched ? std::move(*touched) : whole_range(view.fields.size()), copy.direction};
+  return {touched ? std::move(*touched) : full_vertex_range(view.fields.size()), copy.direction};
 }
 
-void ShownFur::taken_over(const SceneSnapshot& snapshot) {
+void RendererCopyStates::taken_over(const SceneSnapshot& snapshot) {
   copies_.at(snapshot.view().copy_id).change = snapshot.changes.number();
 }
 

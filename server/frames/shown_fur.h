@@ -24,7 +24,7 @@ std::optional<double> moment_of(const SceneView& scene, const FrameRequest& requ
 
 /// Used by the render thread only. A renderer's copy of a scene has the fields as of one change, and one direction
 /// field: the scene's own, or that of moving fur at one time and revision.
-class ShownFur {
+class RendererCopyStates {
  public:
   /// The data that the copy needs to show a snapshot.
   struct Difference {

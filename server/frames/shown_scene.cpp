@@ -29,13 +29,13 @@ Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastS
   return failure(Code::conflict, "the scene has another model since the frame was asked for");
 }
 
-Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, const FrameRequest& request,
-           const FieldSet* compared) {
+ShownScene sync_snapshot(Renderer& renderer, RendererCopyStates& shown, const SnapshotPtr& snapshot,
+                         const FrameRequest& request, const FieldSet* compared) {
   const SceneView view = snapshot->view(request.masked);
   const Mesh& mesh = view.model.surface.mesh();
-  Shown now{.snapshot = snapshot, .fur = make_frame(view, request), .placement = {mesh.centre, mesh.size}};
+  ShownScene now{.snapshot = snapshot, .fur = make_frame(view, request), .placement = {mesh.centre, mesh.size}};
   now.moment = moment_of(view, request);
-  const ShownFur::Difference difference = shown.update(*snapshot, now.moment);
+  const RendererCopyStates::Difference difference = shown.update(*snapshot, now.moment);
   sync_scene(renderer, view, difference.touched, difference.direction.get(), request.knobs.method == Method::shells);
   shown.taken_over(*snapshot);
   now.direction = difference.direction;

@@ -22,7 +22,7 @@ namespace pelage {
 Result<FrameView> view_of(const Scene& scene, const FrameRequest& request, PastScenes& scenes);
 
 /// A snapshot as it is drawn.
-struct Shown {
+struct ShownScene {
   SnapshotPtr snapshot = {};
   FurFrame fur = {};
   ModelPlacement placement = {};
@@ -34,8 +34,8 @@ struct Shown {
 };
 
 /// Updates the renderer's copy of the scene to a snapshot. `compared` is FrameView::compared.
-Shown show(Renderer& renderer, ShownFur& shown, const SnapshotPtr& snapshot, const FrameRequest& request,
-           const FieldSet* compared = nullptr);
+ShownScene sync_snapshot(Renderer& renderer, RendererCopyStates& shown, const SnapshotPtr& snapshot,
+                         const FrameRequest& request, const FieldSet* compared = nullptr);
 
 // The difference of two states of the fields, as one number for each vertex.
 

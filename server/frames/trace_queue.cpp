@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 constexpr std::chrono::milliseconds abandoned_slice{250};  // interval at which abandoned traces are detected
-constexpr int max_turn = 64;                               // maximum passes of a turn while another picture has fewer
+constexpr int max_turn_passes = 64;                        // maximum passes of a turn while another picture has fewer
 
 enum class Stage { waiting, running, ended };
 
@@ -38,16 +38,16 @@ struct TraceQueue::Job {
   const std::string key;                   // JSON of the original request
   const std::optional<Revision> revision;  // set for a progressive picture
   const Clock::time_point start = Clock::now();
-  Clock::time_point asked = start, offered = start;
+  Clock::time_point last_request = start, published = start;
   double queue_ms = 0;
   bool wanted = false;  // a client has asked for a better picture since the last one was offered
   Stage stage = Stage::waiting;
   Status status = {};  // why it ended; ok if its passes are complete
   std::shared_ptr<const LinearPicture> picture = {};
   std::atomic<bool> dropped{false};
-  int passes = 0, turn_began = 0;                         // passes done; passes at the beginning of its turn
-  std::unique_ptr<PictureTracer::Aside> aside = nullptr;  // the picture while it is set aside
-  std::size_t aside_bytes = 0;
+  int passes = 0, passes_at_turn = 0;  // passes done; passes at the beginning of its turn
+  std::unique_ptr<PictureTracer::SuspendedPicture> suspended = nullptr;  // the picture while it is set aside
+  std::size_t suspended_bytes = 0;
 
   Job(std::shared_ptr<Scene> in, const FrameRequest& asked_for, std::optional<Revision> at)
       : scene(std::move(in)), request(traced_request(asked_for)), key(encode(asked_for)), revision(at) {}
@@ -93,28 +93,28 @@ Status TraceQueue::improve(const std::shared_ptr<Scene>& scene, const FrameReque
   const std::lock_guard lock(mutex_);
   const JobPtr known = find(*scene, job->key);
   if (known && known->revision == revision) {
-    known->asked = job->asked;
+    known->last_request = job->last_request;
     return {};
   }
   if (known) drop(known, superseded());
   return admit(job);
 }
 
-std::optional<Result<std::shared_ptr<const LinearPicture>>> TraceQueue::better(const Scene& scene,
-                                                                               const FrameRequest& request,
-                                                                               SeenPicture seen) {
+std::optional<Result<std::shared_ptr<const LinearPicture>>> TraceQueue::better_picture(const Scene& scene,
+                                                                                       const FrameRequest& request,
+                                                                                       SeenPicture seen) {
   const std::string key = encode(request);
   const std::lock_guard lock(mutex_);
   const JobPtr job = find(scene, key);
   if (!job || job->revision != seen.revision) return {};
-  job->asked = Clock::now();
+  job->last_request = Clock::now();
   if (job->picture && job->picture->report.passes > seen.passes) return Result(job->picture);
   if (!job->status.ok()) return Result<std::shared_ptr<const LinearPicture>>(job->status);
   job->wanted = true;
   return {};
 }
 
-void TraceQueue::turn_from(const Scene& scene, const FrameRequest& request) {
+void TraceQueue::supersede_view(const Scene& scene, const FrameRequest& request) {
   const std::lock_guard lock(mutex_);
   drop_view(scene, request.view, nullptr);
 }
@@ -134,7 +134,7 @@ Status TraceQueue::admit(const JobPtr& job) {
     return failure(Code::unavailable, "Too many pictures wait to be traced.", "",
                    "at most " + std::to_string(limits_.waiting));
   }
-  make_room();
+  drop_oldest_ended();
   jobs_.push_back(job);
   changed_.notify_all();
   return {};
@@ -155,12 +155,12 @@ TraceQueue::JobPtr TraceQueue::find(const Scene& scene, const std::string& key) 
 
 void TraceQueue::drop(const JobPtr& job, Status why) {
   // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the argument may lie in the list
-  const JobPtr kept = job;
-  std::erase(jobs_, kept);
-  kept->dropped = true;
-  if (kept->stage == Stage::running) gate_.wake();
-  if (kept->stage != Stage::ended) kept->status = std::move(why);
-  kept->stage = Stage::ended;
+  const JobPtr dropped_job = job;
+  std::erase(jobs_, dropped_job);
+  dropped_job->dropped = true;
+  if (dropped_job->stage == Stage::running) gate_.wake();
+  if (dropped_job->stage != Stage::ended) dropped_job->status = std::move(why);
+  dropped_job->stage = Stage::ended;
   ended_.notify_all();
 }
 
@@ -173,10 +173,10 @@ void TraceQueue::drop_view(const Scene& scene, const std::string& view, const Jo
 }
 
 /// Drops the ended progressive picture that was requested least recently, if the list is full.
-void TraceQueue::make_room() {
+void TraceQueue::drop_oldest_ended() {
   if (jobs_.size() < limits_.max_progressive) return;
   const auto oldest = std::min_element(jobs_.begin(), jobs_.end(), [](const JobPtr& a, const JobPtr& b) {
-    return std::pair(a->stage != Stage::ended, a->asked) < std::pair(b->stage != Stage::ended, b->asked);
+    return std::pair(a->stage != Stage::ended, a->last_request) < std::pair(b->stage != Stage::ended, b->last_request);
   });
   if ((*oldest)->stage == Stage::ended) drop(*oldest, nobody_waits(*(*oldest)->scene));
 }
@@ -187,14 +187,14 @@ void TraceQueue::forget_old(Clock::time_point now) {
   for (const JobPtr& job : jobs) {
     const auto idle_timeout =
         others_wait && job->stage == Stage::running ? limits_.busy_idle_timeout : limits_.idle_timeout;
-    const bool old = job->revision && now - job->asked > idle_timeout;
+    const bool old = job->revision && now - job->last_request > idle_timeout;
     if (old || !still_wanted(*job)) drop(job, nobody_waits(*job->scene));
   }
 }
 
 TraceQueue::JobPtr TraceQueue::next_ready(Clock::time_point now) const {
   JobPtr first;
-  const auto rank = [](const JobPtr& job) { return std::pair(-job->passes, job->asked); };
+  const auto rank = [](const JobPtr& job) { return std::pair(-job->passes, job->last_request); };
   for (const JobPtr& job : jobs_) {
     const bool ready = job->stage == Stage::waiting && (!job->revision || now - job->start >= limits_.settle_time);
     if (ready && (!first || rank(job) > rank(first))) first = job;
@@ -202,9 +202,9 @@ TraceQueue::JobPtr TraceQueue::next_ready(Clock::time_point now) const {
   return first;
 }
 
-std::size_t TraceQueue::aside_bytes() const {
+std::size_t TraceQueue::suspended_bytes() const {
   std::size_t bytes = 0;
-  for (const JobPtr& job : jobs_) bytes += job->aside ? job->aside_bytes : 0;
+  for (const JobPtr& job : jobs_) bytes += job->suspended ? job->suspended_bytes : 0;
   return bytes;
 }
 
@@ -212,8 +212,8 @@ std::size_t TraceQueue::aside_bytes() const {
 TraceQueue::Clock::time_point TraceQueue::next_event() const {
   Clock::time_point first = Clock::now() + limits_.idle_timeout;
   for (const JobPtr& job : jobs_) {
-    first = std::min(
-        first, job->stage == Stage::waiting ? job->start + limits_.settle_time : job->asked + limits_.idle_timeout);
+    first = std::min(first, job->stage == Stage::waiting ? job->start + limits_.settle_time
+                                                         : job->last_request + limits_.idle_timeout);
   }
   return first;
 }
@@ -242,7 +242,7 @@ TraceQueue::JobPtr TraceQueue::next() {
     const Clock::time_point now = Clock::now();
     forget_old(now);
     if (JobPtr job = next_ready(now)) {
-      job->stage = Stage::running, job->turn_began = job->passes;
+      job->stage = Stage::running, job->passes_at_turn = job->passes;
       if (job->passes > 0) return job;
       ++counts_.traces;
       job->queue_ms = std::chrono::duration<double, std::milli>(now - job->start).count();
@@ -260,7 +260,7 @@ bool TraceQueue::still_wanted(const Job& job) const {
 
 Status TraceQueue::start(const JobPtr& job, const GoOn& go_on) {
   if (!go_on()) return nobody_waits(*job->scene);
-  if (job->aside) return tracer_->resume(std::move(job->aside), go_on);
+  if (job->suspended) return tracer_->resume(std::move(job->suspended), go_on);
   const Result<Revision> begun = tracer_->begin(job->scene, job->request, go_on);
   if (!begun) return begun.status();
   if (job->revision && *begun != *job->revision) return nobody_waits(*job->scene);  // the scene changed meanwhile
@@ -272,27 +272,27 @@ std::optional<Status> TraceQueue::trace_job(const JobPtr& job) {
   if (Status started = start(job, go_on); !started.ok()) return started;
   for (;;) {
     if (Status added = tracer_->add_pass(go_on); !added.ok()) return added;
-    if (offer(job)) return Status{};
-    if (give_way(job)) return {};
+    if (publish_if_due(job)) return Status{};
+    if (try_yield(job)) return {};
   }
 }
 
 /// Called after a pass that was not the last one. Returns whether the job yields to another one.
-bool TraceQueue::give_way(const JobPtr& job) {
+bool TraceQueue::try_yield(const JobPtr& job) {
   const std::lock_guard lock(mutex_);
   const JobPtr other = next_ready(Clock::now());
   if (!other || other->passes >= job->passes || job->stage == Stage::ended) return false;
-  const int turn = std::clamp(job->turn_began, 1, max_turn);
-  if (other->passes > 0 && job->passes - job->turn_began < turn) return false;
-  job->aside_bytes = tracer_->bytes();
-  if (aside_bytes() + job->aside_bytes > limits_.aside_bytes) return false;
-  job->aside = tracer_->set_aside();
+  const int turn_passes = std::clamp(job->passes_at_turn, 1, max_turn_passes);
+  if (other->passes > 0 && job->passes - job->passes_at_turn < turn_passes) return false;
+  job->suspended_bytes = tracer_->bytes();
+  if (suspended_bytes() + job->suspended_bytes > limits_.suspended_bytes) return false;
+  job->suspended = tracer_->suspend();
   job->stage = Stage::waiting;
   return true;
 }
 
 /// Called after a pass: offers the picture if it is due. Returns whether that was the last pass.
-bool TraceQueue::offer(const JobPtr& job) {
+bool TraceQueue::publish_if_due(const JobPtr& job) {
   const TraceReport report = tracer_->report();
   const bool last = report.end != TraceEnd::none;
   const Clock::time_point now = Clock::now();
@@ -300,7 +300,7 @@ bool TraceQueue::offer(const JobPtr& job) {
     const std::lock_guard lock(mutex_);
     ++counts_.passes, ++job->passes;
     forget_old(now);
-    const bool waited_for = job->wanted && now - job->offered >= limits_.between;
+    const bool waited_for = job->wanted && now - job->published >= limits_.min_interval;
     if (!last && !(job->revision && (waited_for || on_schedule(report.passes)))) return false;
   }
   auto picture = std::make_shared<LinearPicture>(tracer_->picture());
@@ -308,7 +308,7 @@ bool TraceQueue::offer(const JobPtr& job) {
   {
     const std::lock_guard lock(mutex_);
     job->picture = std::move(picture);
-    job->offered = now, job->wanted = false;
+    job->published = now, job->wanted = false;
   }
   if (job->revision) job->scene->wake();
   return last;

@@ -50,8 +50,8 @@ class TraceQueue {
         100};  // from a progressive picture's start to its tracing, since the user may still be moving
     std::chrono::milliseconds idle_timeout{30'000};      // lifetime of a progressive picture without requests
     std::chrono::milliseconds busy_idle_timeout{2'000};  // the same while it is traced and other jobs wait
-    std::chrono::milliseconds between{500};              // minimum interval of pictures for a waiting client
-    std::size_t aside_bytes = std::size_t{1} << 30;      // memory limit of pictures that are set aside
+    std::chrono::milliseconds min_interval{500};         // minimum interval of pictures for a waiting client
+    std::size_t suspended_bytes = std::size_t{1} << 30;  // memory limit of pictures that are set aside
   };
 
   TraceQueue(std::unique_ptr<PictureTracer> tracer, YieldGate& gate, Limits limits);
@@ -71,11 +71,12 @@ class TraceQueue {
   /// Returns the newest picture of the progressive job if it has more passes than were seen, its error if it failed,
   /// else nothing. The job must be of the revision that was seen. Does not wait; when the answer changes, waiters of
   /// the scene are woken (Scene::wake).
-  std::optional<Result<std::shared_ptr<const LinearPicture>>> better(const Scene& scene, const FrameRequest& request,
-                                                                     SeenPicture seen);
+  std::optional<Result<std::shared_ptr<const LinearPicture>>> better_picture(const Scene& scene,
+                                                                             const FrameRequest& request,
+                                                                             SeenPicture seen);
 
   /// Drops the jobs of the request's view, which now requests something other than traced strands.
-  void turn_from(const Scene& scene, const FrameRequest& request);
+  void supersede_view(const Scene& scene, const FrameRequest& request);
 
   /// Ends all jobs at once and accepts no more.
   void stop();
@@ -95,8 +96,8 @@ class TraceQueue {
   Status start(const JobPtr& job, const std::function<bool()>& go_on);
   /// Traces the job for one turn. Returns how the picture ended, or nothing if the job yielded to another one.
   std::optional<Status> trace_job(const JobPtr& job);
-  bool give_way(const JobPtr& job);
-  bool offer(const JobPtr& job);
+  bool try_yield(const JobPtr& job);
+  bool publish_if_due(const JobPtr& job);
   void end(const JobPtr& job, std::optional<Status> status, double seconds);
   bool still_wanted(const Job& job) const;
 
@@ -106,10 +107,10 @@ class TraceQueue {
   JobPtr find(const Scene& scene, const std::string& key) const;
   void drop(const JobPtr& job, Status why);
   void drop_view(const Scene& scene, const std::string& view, const JobPtr& but);
-  void make_room();
+  void drop_oldest_ended();
   void forget_old(Clock::time_point now);
   JobPtr next_ready(Clock::time_point now) const;
-  std::size_t aside_bytes() const;
+  std::size_t suspended_bytes() const;
   Clock::time_point next_event() const;
 
   const Limits limits_;

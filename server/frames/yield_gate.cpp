@@ -2,19 +2,19 @@
 
 namespace pelage {
 
-YieldGate::Turn::Turn(YieldGate& gate) : gate_(gate) {
+YieldGate::Priority::Priority(YieldGate& gate) : gate_(gate) {
   const std::lock_guard lock(gate_.mutex_);
-  ++gate_.first_;
+  ++gate_.priorities_;
 }
 
-YieldGate::Turn::~Turn() {
+YieldGate::Priority::~Priority() {
   const std::lock_guard lock(gate_.mutex_);
-  if (--gate_.first_ == 0) gate_.changed_.notify_all();
+  if (--gate_.priorities_ == 0) gate_.changed_.notify_all();
 }
 
 bool YieldGate::pass(const std::function<bool()>& wanted) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return first_ == 0 || !wanted(); });
+  changed_.wait(lock, [&] { return priorities_ == 0 || !wanted(); });
   lock.unlock();
   return wanted();
 }

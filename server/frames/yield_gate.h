@@ -7,32 +7,32 @@
 
 namespace pelage {
 
-/// Thread-safe. Holders of a Turn never wait.
+/// Thread-safe. Holders of a Priority never wait.
 class YieldGate {
  public:
   /// Makes yielding threads wait, as long as it lives.
-  class Turn {
+  class Priority {
    public:
-    explicit Turn(YieldGate& gate);
-    ~Turn();
-    Turn(const Turn&) = delete;
-    Turn& operator=(const Turn&) = delete;
+    explicit Priority(YieldGate& gate);
+    ~Priority();
+    Priority(const Priority&) = delete;
+    Priority& operator=(const Priority&) = delete;
 
    private:
     YieldGate& gate_;
   };
 
-  [[nodiscard]] Turn go_first() { return Turn(*this); }
+  [[nodiscard]] Priority take_priority() { return Priority(*this); }
 
-  /// Waits while any Turn lives and `wanted` returns true, and returns the final result of `wanted`. Whoever makes it
-  /// false must call wake(). `wanted` must not use the gate.
+  /// Waits while any Priority lives and `wanted` returns true, and returns the final result of `wanted`. Whoever makes
+  /// it false must call wake(). `wanted` must not use the gate.
   bool pass(const std::function<bool()>& wanted);
   void wake();
 
  private:
   std::mutex mutex_;
   std::condition_variable changed_;
-  int first_ = 0;
+  int priorities_ = 0;
 };
 
 }  // namespace pelage

@@ -24,7 +24,7 @@ glm::dvec2 turned_to_pull(glm::dvec2 direction, const VertexFrame& frame, glm::d
   const double across = glm::length(frame.tangent_part(pull)), up = glm::dot(pull, frame.normal);
   if (across < no_heading) return up > 0 ? direction * (1 - weight) : direction;
   const double lean = std::min(1.0, std::atan2(across, up) / glm::half_pi<double>());
-  return turned(direction, frame, pull, lean, weight);
+  return leaned_towards(direction, frame, pull, lean, weight);
 }
 
 /// Returns the growth factor of the length for a stretch, without a limit.
@@ -61,10 +61,10 @@ class Stick {
     const double before = growth(fur.stretch, command_.threshold);
     const double after = growth(fur.stretch + added, command_.threshold);
     const double ratio = std::min(after, command_.max_stretch) / std::min(before, command_.max_stretch);
-    bool held = after > before && after > command_.max_stretch;
-    held = length_.put(vertex, fur.length * ratio) || held;
-    held = stretch_.put(vertex, fur.stretch + added) || held;
-    clamped_ += held;
+    bool clamped = after > before && after > command_.max_stretch;
+    clamped = length_.put(vertex, fur.length * ratio) || clamped;
+    clamped = stretch_.put(vertex, fur.stretch + added) || clamped;
+    clamped_ += clamped;
   }
 
   const Attract& command_;

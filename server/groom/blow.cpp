@@ -59,7 +59,7 @@ Evaluation run(const Blow& command, const Surface& surface, const FieldSet& fiel
     const double weight = command.strength * restriction * wind.share(heading) * wind.strength(position);
     if (weight == 0) continue;
     const glm::dvec2 direction(fields.direction()[vertex]);
-    writer.put(vertex, turned(direction, frame_at(mesh, vertex), sign * heading, command.lean, weight));
+    writer.put(vertex, leaned_towards(direction, frame_at(mesh, vertex), sign * heading, command.lean, weight));
   }
   Evaluation done;
   writer.finish(done.delta);

@@ -83,24 +83,24 @@ class DabPlane {
  public:
   DabPlane(const Dab& dab, const Surface& surface);
   /// Projects a position near the dab to coordinates of the picture, [0, 1].
-  glm::dvec2 place_on_picture(glm::dvec3 position) const;
+  glm::dvec2 picture_uv(glm::dvec3 position) const;
 
  private:
   glm::dvec3 centre_, along_, across_;  // the axes have length 1 / radius
 };
 
 DabPlane::DabPlane(const Dab& dab, const Surface& surface) : centre_(dab.centre) {
-  constexpr double least = 1e-6;
+  constexpr double min_length = 1e-6;
   const glm::dvec3 normal = surface.normal(surface.nearest(dab.centre));
   const auto in_plane = [&](glm::dvec3 v) { return v - glm::dot(v, normal) * normal; };
   along_ = in_plane(dab.motion);
   for (const glm::dvec3 up : {glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
-    if (!(glm::length(along_) > least)) along_ = in_plane(up);
+    if (!(glm::length(along_) > min_length)) along_ = in_plane(up);
   along_ = glm::normalize(along_) / dab.radius;
   across_ = glm::cross(along_, normal);
 }
 
-glm::dvec2 DabPlane::place_on_picture(glm::dvec3 position) const {
+glm::dvec2 DabPlane::picture_uv(glm::dvec3 position) const {
   const glm::dvec3 apart = position - centre_;
   return glm::clamp(0.5 + 0.5 * glm::dvec2(glm::dot(apart, across_), glm::dot(apart, along_)), 0.0, 1.0);
 }
@@ -166,8 +166,8 @@ std::vector<Dab> BrushStroke::moving_dabs() const {
     }
     walked += length;
   }
-  const double rest = walked - static_cast<double>(dabs.size()) * step;
-  if (rest > 1e-9 * step) put(between(path_.back(), path_.back(), 0), rest);
+  const double remainder = walked - static_cast<double>(dabs.size()) * step;
+  if (remainder > 1e-9 * step) put(between(path_.back(), path_.back(), 0), remainder);
   return dabs;
 }
 
@@ -245,7 +245,7 @@ void BrushStroke::weigh(const Dab& dab, std::vector<VertexWeight>& weights) cons
     // normal counts.
     if (brush_.front_faces_only && !(glm::dot(normal, front) > cut_off - 2 * lift)) continue;
     double weight = strength * falloff_weight(brush_, distance);
-    if (plane) weight *= luminance_at(*alpha_, plane->place_on_picture(position));
+    if (plane) weight *= luminance_at(*alpha_, plane->picture_uv(position));
     if (weight > 0) weights.push_back({v, weight});
   }
 }

@@ -25,7 +25,7 @@ Evaluation run(const Clump& command, const Surface& surface, const FieldSet& fie
       const glm::dvec3 middle = sign * safe_unit(nearest_on_path(*command.stroke, surface, position) - position);
       const glm::dvec2 direction(fields.direction()[v]);
       const double lean = std::max(glm::length(direction), min_lean);
-      directions.put(v, turned(direction, frame_at(mesh, v), middle, lean, weight * command.gather));
+      directions.put(v, leaned_towards(direction, frame_at(mesh, v), middle, lean, weight * command.gather));
       clumps.put(v, glm::mix(double{fields.number(Field::clump, v)}, goal, weight));
     }
   }

@@ -13,7 +13,8 @@ namespace {
 glm::dvec2 combed(const Comb& command, glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards,
                   double weight) {
   const double own = glm::length(direction);
-  const glm::dvec2 after = turned(direction, frame, towards, command.keep_inclination ? own : command.lean, weight);
+  const glm::dvec2 after =
+      leaned_towards(direction, frame, towards, command.keep_inclination ? own : command.lean, weight);
   const double length = glm::length(after);
   return command.keep_inclination && length > no_heading ? after * (own / length) : after;
 }

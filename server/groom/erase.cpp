@@ -22,11 +22,11 @@ bool erases(const Erase& command, Field field) {
 Evaluation erase_edit_layer(const Erase& command, const Surface& surface, const FieldSet& fields,
                             const std::vector<EditLayer>& layers, const ToolExtras& extras) {
   const std::vector<VertexWeight> region = region_of(command.stroke, command.brush, surface, fields, extras);
-  const std::size_t layer = number_of(command.edit_layer, layers);
+  const std::size_t layer = edit_layer_index(command.edit_layer, layers);
   Evaluation done;
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
-    if (!erases(command, field) || fields.untouched(under_sheet, field)) continue;
+    if (!erases(command, field) || fields.untouched(base_sheet, field)) continue;
     const double share = strand_share(command.brush, field);
     StackWriter writer(fields, field, layers.size());
     for (const auto [v, reach] : region) {

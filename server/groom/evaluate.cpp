@@ -36,7 +36,7 @@ Evaluation evaluate(const Command& resolved, const Surface& surface, const Field
 
 namespace {
 
-constexpr std::size_t max_looked_at = 16;  // maximum number of samples of a stroke to check
+constexpr std::size_t max_checked_samples = 16;  // maximum number of samples of a stroke to check
 
 double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
   const glm::uvec3 corners = mesh.triangles[triangle];
@@ -53,7 +53,7 @@ std::uint32_t triangle_at(const StrokeSample& sample, const Surface& surface) {
 
 /// Returns the largest mean edge length of the triangles where the stroke passes, sizes.
 double longest_edges(const Stroke& stroke, const Surface& surface) {
-  const std::size_t step = stroke.samples.size() / max_looked_at + 1;
+  const std::size_t step = stroke.samples.size() / max_checked_samples + 1;
   double longest = 0;
   for (std::size_t i = 0; i < stroke.samples.size(); i += step)
     longest = std::max(longest, mean_edge(triangle_at(stroke.samples[i], surface), surface.mesh()));

@@ -31,7 +31,7 @@ struct ToolExtras {
 };
 
 /// The fur that may be visible under the pixels of a stroke.
-struct SeenFur {
+struct VisibleFur {
   const FieldSet& fields;
   const std::vector<NamedCoat>& coats;  // muted ones are invisible
   double& visits;                       // visits of vertices by the request's commands so far; each pixel adds to it
@@ -44,7 +44,7 @@ struct SeenFur {
 /// triangle numbers (pointer "/stroke/samples/K/triangle"), vertex numbers, and coordinates beyond 1e6 sizes. The view
 /// stays, for the front-facing test. Refuses (invalid, "/stroke/samples") pixels that visit more than
 /// limits::evaluation_visits vertices; fails (unavailable) if cancelled.
-Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur = nullptr);
+Result<Command> resolve(const Command& command, const Surface& surface, const VisibleFur* fur = nullptr);
 
 /// Evaluates a resolved tool command; commands that change settings give an empty delta. Deterministic at any thread
 /// count. Throws Cancelled.
@@ -60,14 +60,14 @@ const Symmetry& symmetry_of(const Command& command, const Symmetry& scene);
 
 /// Returns the command itself and its symmetry images. Samples on triangles move to the surface positions nearest to
 /// their images, so that a roughly symmetric model suffices. Commands without positions have no images.
-std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, const Surface& surface);
+std::vector<Command> symmetry_images(const Command& resolved, const Symmetry& scene, const Surface& surface);
 
 /// Returns the command for another model. Positions follow the alignment and keep their distance from the surface;
 /// positions on triangles move to the nearest surface positions. Directions follow the scale of the boxes; lengths in
 /// the model's unit follow its size. Strokes lose their views, as in symmetry images. A position shared by both models
 /// stays the same to the bit. Refuses (invalid, with a pointer) commands that name vertices or revisions of the model.
-Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to,
-                                Alignment how = Alignment::box);
+Result<Command> transferred_command(const Command& resolved, const Surface& from, const Surface& to,
+                                    Alignment how = Alignment::box);
 
 /// A camera placed in internal coordinates, for pixel rays and the front-facing test. `automatic` cameras are placed so
 /// that they frame the mesh's box.

@@ -15,19 +15,19 @@ namespace pelage {
 namespace {
 
 // Approximate cost of an operation, in visits.
-constexpr double dab_visits = 32;                        // searching the vertices of a dab, however few
-constexpr double along_surface = 30;                     // each vertex of a dab with the surface shape
-constexpr double nearest_visits = 50;                    // a query for the nearest surface position
-constexpr double ring_visits = 8;                        // a vertex and its neighbours
-constexpr double strand_visits = UnitStrand::places;     // the distance to a strand
-constexpr double edges_visits = 16;                      // each vertex of a search along edges
-constexpr double heat_visits = 400;                      // each vertex of a distance by the heat method
-constexpr double curve_step = 0.01, curve_steps = 4096;  // flow's steps along curves: sizes; maximum per segment
+constexpr double dab_visits = 32;                           // searching the vertices of a dab, however few
+constexpr double along_surface = 30;                        // each vertex of a dab with the surface shape
+constexpr double nearest_visits = 50;                       // a query for the nearest surface position
+constexpr double ring_visits = 8;                           // a vertex and its neighbours
+constexpr double strand_visits = UnitStrand::sample_count;  // the distance to a strand
+constexpr double edges_visits = 16;                         // each vertex of a search along edges
+constexpr double heat_visits = 400;                         // each vertex of a distance by the heat method
+constexpr double curve_step = 0.01, curve_steps = 4096;     // flow's steps along curves: sizes; maximum per segment
 
 /// Returns the number of vertices under a dab: the mean over at most 16 samples, spread over the stroke.
 double typical_reach(const Stroke& stroke, const Brush& brush, const Surface& surface, double longest_fur) {
-  constexpr std::size_t places = 16;
-  const std::size_t count = std::min(places, stroke.samples.size());
+  constexpr std::size_t sample_count = 16;
+  const std::size_t count = std::min(sample_count, stroke.samples.size());
   if (count == 0) return 0;
   std::size_t sum = 0;
   std::vector<std::uint32_t> found;

@@ -52,7 +52,7 @@ class EdgeLimits {
   }
 
   /// Returns the inclination, reduced as far as needed. `heading` is a unit vector in the vertex's frame.
-  double held(std::uint32_t v, glm::dvec2 heading, double inclination) const {
+  double limited(std::uint32_t v, glm::dvec2 heading, double inclination) const {
     constexpr double rising = 0.3, step = 0.05;
     if (sides_.empty() || sides_[v].empty()) return inclination;
     const glm::dvec3 normal(mesh_.normals[v]), tangent(mesh_.tangents[v]);
@@ -86,7 +86,7 @@ FieldSet first_groom(const Mesh& mesh, const FirstGroom& fur, const Cancel& canc
     const glm::dvec3 normal(mesh.normals[v]);
     const double along = glm::length(flow[v]);
     const glm::dvec2 heading = along > 0 ? flow[v] / along : glm::dvec2(0);
-    const double inclination = edges.held(v, heading, fur.inclination * smoothstep(0, clear, along));
+    const double inclination = edges.limited(v, heading, fur.inclination * smoothstep(0, clear, along));
     double scale = mesh.length_scale.empty() ? 1.0 : double{mesh.length_scale[v]};
     if (fur.form == GroomForm::animal) scale *= animal.at(glm::dvec3(mesh.positions[v]), normal);
     fields.set(v, stored_groom(inclination * heading, fur.length * scale, 0));

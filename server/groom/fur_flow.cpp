@@ -18,9 +18,9 @@ namespace {
 using Complex = std::complex<double>;
 
 /// Returns the direction of the coat on most animals: from nose to tail, and a little down. Unit.
-glm::dvec3 tailwards() { return glm::normalize(glm::dvec3(0, -0.35, -1)); }
+glm::dvec3 default_coat_direction() { return glm::normalize(glm::dvec3(0, -0.35, -1)); }
 
-glm::dvec3 place_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.positions[v]); }
+glm::dvec3 position_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.positions[v]); }
 glm::dvec3 normal_of(const Mesh& mesh, std::uint32_t v) { return glm::dvec3(mesh.normals[v]); }
 
 /// An edge between two vertices, with its coupling weight.
@@ -38,8 +38,8 @@ std::vector<Edge> weighted_edges(const Mesh& mesh) {
     for (const Side& side : edge) {
       const glm::uvec3 t = mesh.triangles[side.triangle];
       const std::uint32_t opposite = t[static_cast<int>((side.side + 2) % 3)];
-      const glm::dvec3 u = place_of(mesh, side.low) - place_of(mesh, opposite),
-                       v = place_of(mesh, side.high) - place_of(mesh, opposite);
+      const glm::dvec3 u = position_of(mesh, side.low) - position_of(mesh, opposite),
+                       v = position_of(mesh, side.high) - position_of(mesh, opposite);
       const double sine = glm::length(glm::cross(u, v));
       if (sine > 0) weight += 0.5 * glm::dot(u, v) / sine;
     }
@@ -52,8 +52,8 @@ std::vector<Edge> weighted_edges(const Mesh& mesh) {
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> areas(mesh.positions.size(), 0);
   for (const glm::uvec3& t : mesh.triangles) {
-    const glm::dvec3 a = place_of(mesh, t.x);
-    const double third = glm::length(glm::cross(place_of(mesh, t.y) - a, place_of(mesh, t.z) - a)) / 6;
+    const glm::dvec3 a = position_of(mesh, t.x);
+    const double third = glm::length(glm::cross(position_of(mesh, t.y) - a, position_of(mesh, t.z) - a)) / 6;
     for (int k = 0; k < 3; ++k) areas[t[k]] += third;
   }
   return areas;
@@ -68,7 +68,7 @@ Eigen::Matrix<Number, Eigen::Dynamic, 1> solved(const Eigen::SparseMatrix<Number
   cancel.check();
   if (matrix.rows() <= small) return Eigen::SimplicialLDLT<Eigen::SparseMatrix<Number>>(matrix).solve(right);
   Eigen::ConjugateGradient<Eigen::SparseMatrix<Number>, Eigen::Lower | Eigen::Upper, TwoLevel<Number>> solver;
-  solver.preconditioner().listen(cancel);
+  solver.preconditioner().set_cancel(cancel);
   solver.setTolerance(1e-4);
   solver.setMaxIterations(2'000);
   return solver.compute(matrix).solve(right);
@@ -101,7 +101,7 @@ class Closure {
         sums_(parts.size(), glm::dvec3(0)),
         areas_(parts.size(), 0),
         characteristic_(parts.size()),
-        open_(parts.size(), 0) {
+        open_edges_(parts.size(), 0) {
     for (std::uint32_t p = 0; p < parts.size(); ++p) {
       characteristic_[p] = static_cast<long>(parts[p].size());
       for (const std::uint32_t v : parts[p]) part_of_[v] = p;
@@ -110,7 +110,7 @@ class Closure {
     for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
       const std::uint32_t p = part_of_[edge[0].low];
       --characteristic_[p];
-      if (edge.size() == 1) ++open_[p];
+      if (edge.size() == 1) ++open_edges_[p];
     });
   }
 
@@ -120,12 +120,12 @@ class Closure {
     return glm::length(sums_[part]) < mostly * areas_[part];
   }
   /// Returns whether the part has no open edges and at least one handle (Euler characteristic below 2).
-  bool has_handles(std::size_t part) const { return open_[part] == 0 && characteristic_[part] < 2; }
+  bool has_handles(std::size_t part) const { return open_edges_[part] == 0 && characteristic_[part] < 2; }
 
  private:
   void add(const Mesh& mesh, const glm::uvec3& t) {
-    const glm::dvec3 a = place_of(mesh, t.x);
-    const glm::dvec3 vector = glm::cross(place_of(mesh, t.y) - a, place_of(mesh, t.z) - a);
+    const glm::dvec3 a = position_of(mesh, t.x);
+    const glm::dvec3 vector = glm::cross(position_of(mesh, t.y) - a, position_of(mesh, t.z) - a);
     const std::uint32_t p = part_of_[t.x];
     sums_[p] += vector, areas_[p] += glm::length(vector), ++characteristic_[p];
   }
@@ -134,7 +134,7 @@ class Closure {
   std::vector<glm::dvec3> sums_;  // sum of each part's area vectors, which is 0 for a closed surface
   std::vector<double> areas_;
   std::vector<long> characteristic_;  // Euler characteristic
-  std::vector<std::size_t> open_;
+  std::vector<std::size_t> open_edges_;
 };
 
 /// Returns the potential of the poles: its negative gradient flows from the poles above 0 to the others.
@@ -159,7 +159,7 @@ Eigen::VectorXd potential_of(const std::vector<Edge>& edges, const std::vector<P
 std::vector<glm::dvec3> downhill(const Mesh& mesh, const Eigen::VectorXd& potential) {
   std::vector<glm::dvec3> flow(mesh.positions.size(), glm::dvec3(0));
   for (const glm::uvec3& t : mesh.triangles) {
-    const glm::dvec3 a = place_of(mesh, t.x), b = place_of(mesh, t.y), c = place_of(mesh, t.z);
+    const glm::dvec3 a = position_of(mesh, t.x), b = position_of(mesh, t.y), c = position_of(mesh, t.z);
     const glm::dvec3 normal = glm::cross(b - a, c - a);
     const double area = glm::length(normal);
     if (!(area > 0)) continue;
@@ -178,7 +178,7 @@ Complex in_frame(const Mesh& mesh, std::uint32_t v, glm::dvec3 vector) {
 
 /// Returns the rotation that transports a vector from the frame of `from` to the frame of `to`, as a unit complex
 /// number.
-Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
+Complex frame_transport(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
   const Complex there =
       in_frame(mesh, to, transported(glm::dvec3(mesh.tangents[from]), normal_of(mesh, from), normal_of(mesh, to)));
   const double length = std::abs(there);
@@ -186,13 +186,13 @@ Complex carried(const Mesh& mesh, std::uint32_t from, std::uint32_t to) {
 }
 
 /// The target flow at each vertex, of length at most 1, and the distance in sizes over which it is smoothed.
-struct Wishes {
+struct TargetFlow {
   std::vector<Complex> flow;
   std::vector<double> spread;
   std::vector<std::vector<std::uint32_t>> parts;
 };
 
-Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel& cancel) {
+TargetFlow target_flow(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel& cancel) {
   const Adjacency neighbours = vertex_neighbours(mesh.triangles, mesh.positions.size());
   const std::vector<std::vector<std::uint32_t>> parts = parts_of(neighbours, mesh.positions.size());
   const Closure closure(mesh, parts);
@@ -209,13 +209,13 @@ Wishes wishes_of(const Mesh& mesh, const std::vector<Edge>& edges, const Cancel&
                                            ? std::vector<glm::dvec3>(mesh.positions.size(), glm::dvec3(0))
                                            : downhill(mesh, potential_of(edges, poles, mesh.positions.size(), cancel));
   constexpr double fine = 0.08, coarse = 0.5;  // sizes; without poles the target has many sources, which have to cancel
-  Wishes wishes{{}, {}, parts};
+  TargetFlow targets{{}, {}, parts};
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    Complex wish = in_frame(mesh, v, by_poles[v] ? flow[v] : tailwards());
-    if (by_poles[v] && std::abs(wish) > 0) wish /= std::abs(wish);
-    wishes.flow.push_back(wish), wishes.spread.push_back(by_poles[v] ? fine : coarse);
+    Complex target = in_frame(mesh, v, by_poles[v] ? flow[v] : default_coat_direction());
+    if (by_poles[v] && std::abs(target) > 0) target /= std::abs(target);
+    targets.flow.push_back(target), targets.spread.push_back(by_poles[v] ? fine : coarse);
   }
-  return wishes;
+  return targets;
 }
 
 /// Divides each part's flow by its median length and limits it to 1. Where targets oppose each other it is short, but
@@ -239,26 +239,26 @@ std::vector<glm::dvec2> relative(const Eigen::VectorXcd& smooth, const std::vect
 
 std::vector<glm::dvec2> fur_flow(const Mesh& mesh, const Cancel& cancel) {
   const std::vector<Edge> edges = weighted_edges(mesh);
-  const Wishes wishes = wishes_of(mesh, edges, cancel);
+  const TargetFlow targets = target_flow(mesh, edges, cancel);
   const std::vector<double> areas = vertex_areas(mesh);
   const auto n = static_cast<Eigen::Index>(mesh.positions.size());
   std::vector<Eigen::Triplet<Complex>> entries;
   Eigen::VectorXcd right(n);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const double pull = std::max(areas[v], 1e-12) / (wishes.spread[v] * wishes.spread[v]);
+    const double pull = std::max(areas[v], 1e-12) / (targets.spread[v] * targets.spread[v]);
     entries.emplace_back(static_cast<int>(v), static_cast<int>(v), pull);
-    right[v] = pull * wishes.flow[v];
+    right[v] = pull * targets.flow[v];
   }
   for (const Edge& e : edges) {
     const auto a = static_cast<int>(e.a), b = static_cast<int>(e.b);
-    const Complex turn = carried(mesh, e.a, e.b);
+    const Complex transport = frame_transport(mesh, e.a, e.b);
     entries.emplace_back(a, a, e.weight), entries.emplace_back(b, b, e.weight);
-    entries.emplace_back(b, a, -e.weight * turn), entries.emplace_back(a, b, -e.weight * std::conj(turn));
+    entries.emplace_back(b, a, -e.weight * transport), entries.emplace_back(a, b, -e.weight * std::conj(transport));
   }
   Eigen::SparseMatrix<Complex> matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::VectorXcd smooth = solved<Complex>(matrix, right, cancel);
-  return relative(smooth, wishes.parts);
+  return relative(smooth, targets.parts);
 }
 
 }  // namespace pelage

@@ -39,40 +39,40 @@ std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
 }
 
 /// The weighted means of all keys at one vertex.
-struct Said {
+struct KeyMeans {
   GaussianMean<glm::dvec3> lean;
   GaussianMean<double> length;  // sizes
 };
 
 /// Returns the means of the keys at the region's vertices. Keys without a direction do not count for the direction, and
 /// keys without a length not for the length.
-std::vector<Said> what_keys_say(const Interpolate& command, const Surface& surface,
+std::vector<KeyMeans> key_means(const Interpolate& command, const Surface& surface,
                                 const std::vector<VertexWeight>& region, const Cancel& cancel) {
-  constexpr double silent = std::numeric_limits<double>::infinity();
+  constexpr double no_value = std::numeric_limits<double>::infinity();
   const double sigma = internal_length(command.sigma, command.units, surface.mesh());
   const Spreader spreader(surface, command.distance);
-  std::vector<Said> said(region.size());
+  std::vector<KeyMeans> means(region.size());
   std::vector<Spread> spreads;
-  for (std::size_t first = 0; first < command.keys.size(); first += spreads_at_a_time) {
+  for (std::size_t first = 0; first < command.keys.size(); first += spread_batch_size) {
     cancel.check();
     const std::span keys =
-        std::span(command.keys).subspan(first, std::min(spreads_at_a_time, command.keys.size() - first));
+        std::span(command.keys).subspan(first, std::min(spread_batch_size, command.keys.size() - first));
     spreads.resize(keys.size());
     for_each_in_parallel(static_cast<std::uint32_t>(keys.size()),
                          [&](std::uint32_t k) { spreads[k] = spreader(sources_of(keys[k], surface)); });
-    for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t begin, std::uint32_t end) {
+    for_each_range_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t i = begin; i < end; ++i) {
         const std::uint32_t v = region[i].vertex;
-        said[i].lean.add(
-            keys.size(), sigma, [&](std::size_t k) { return keys[k].direction ? spreads[k].distance[v] : silent; },
+        means[i].lean.add(
+            keys.size(), sigma, [&](std::size_t k) { return keys[k].direction ? spreads[k].distance[v] : no_value; },
             [&](std::size_t k) { return spreads[k].vector[v]; });
-        said[i].length.add(
-            keys.size(), sigma, [&](std::size_t k) { return keys[k].length ? spreads[k].distance[v] : silent; },
+        means[i].length.add(
+            keys.size(), sigma, [&](std::size_t k) { return keys[k].length ? spreads[k].distance[v] : no_value; },
             [&](std::size_t k) { return internal_length(*keys[k].length, command.units, surface.mesh()); });
       }
     });
   }
-  return said;
+  return means;
 }
 
 }  // namespace
@@ -82,25 +82,25 @@ Evaluation run(const Interpolate& command, const Surface& surface, const FieldSe
   const std::vector<VertexWeight> region = region_of(command.stroke, brush, surface, fields, extras);
   Evaluation done;
   if (region.empty()) return done;
-  const std::vector<Said> said = what_keys_say(command, surface, region, extras.cancel);
+  const std::vector<KeyMeans> means = key_means(command, surface, region, extras.cancel);
   const auto count = static_cast<std::uint32_t>(region.size());
   const std::optional<double> reach = internal_length(command.reach, command.units, surface.mesh());
   const auto strength_at = [&](std::uint32_t i, double distance) {
-    return command.strength * region[i].weight * share_within(reach, distance);
+    return command.strength * region[i].weight * reach_falloff(reach, distance);
   };
   write_in_parallel(fields, Field::direction, count, done.delta, [&](std::uint32_t i, FieldWriter& directions) {
     const std::uint32_t v = region[i].vertex;
-    const double strength = strength_at(i, said[i].lean.nearest());
-    if (!said[i].lean.reached() || strength == 0) return false;
-    const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(said[i].lean.mean());
+    const double strength = strength_at(i, means[i].lean.nearest());
+    if (!means[i].lean.reached() || strength == 0) return false;
+    const glm::dvec2 towards = frame_at(surface.mesh(), v).tangent_part(means[i].lean.mean());
     return directions.put(v, glm::dvec2(glm::mix(glm::dvec2(fields.direction()[v]), towards, strength)));
   });
   done.clamped +=
       write_in_parallel(fields, Field::length, count, done.delta, [&](std::uint32_t i, FieldWriter& lengths) {
         const std::uint32_t v = region[i].vertex;
-        const double strength = strength_at(i, said[i].length.nearest());
-        if (!said[i].length.reached() || strength == 0) return false;
-        return lengths.put(v, glm::mix(double{fields.length()[v]}, said[i].length.mean(), strength));
+        const double strength = strength_at(i, means[i].length.nearest());
+        if (!means[i].length.reached() || strength == 0) return false;
+        return lengths.put(v, glm::mix(double{fields.length()[v]}, means[i].length.mean(), strength));
       });
   return done;
 }

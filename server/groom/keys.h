@@ -14,7 +14,7 @@
 namespace pelage {
 
 /// Number of sources whose distances are computed at a time, so that memory does not grow with the number of sources.
-inline constexpr std::size_t spreads_at_a_time = 16;
+inline constexpr std::size_t spread_batch_size = 16;
 
 /// Computes distances and directions from sources, by the kind of distance that a command names. Directions follow the
 /// paths of Dijkstra's search unless the distance is straight. Calls may run in parallel.
@@ -31,7 +31,7 @@ class Spreader {
 };
 
 /// Returns the influence of keys at a distance, [0, 1]: 1 up to half of their reach, 0 from their reach on.
-inline double share_within(std::optional<double> reach, double distance) {
+inline double reach_falloff(std::optional<double> reach, double distance) {
   if (!reach) return 1;
   const double t = std::clamp(2 * distance / *reach - 1, 0.0, 1.0);
   return 1 - t * t * (3 - 2 * t);

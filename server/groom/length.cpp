@@ -14,8 +14,8 @@ namespace {
 /// Returns a random number in [-1, 1] that depends on the position and not on the vertex number.
 double random_at(glm::vec3 position, std::uint32_t seed) {
   const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.0f)}; };
-  const std::uint64_t place = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
-  return Random(seed, place).uniform(-1, 1);
+  const std::uint64_t position_hash = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
+  return Random(seed, position_hash).uniform(-1, 1);
 }
 
 double weighted_mean(const std::vector<VertexWeight>& region, const FieldSet& fields) {

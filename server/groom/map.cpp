@@ -14,15 +14,15 @@ namespace pelage {
 namespace {
 
 /// Returns whether the map applies to no vertex, because none lies in its tile.
-bool lies_nowhere(const MapTargets& targets) {
-  const std::vector<bool>& silent = targets.says_nothing;
+bool applies_nowhere(const MapTargets& targets) {
+  const std::vector<bool>& silent = targets.outside_tile;
   return !silent.empty() && std::find(silent.begin(), silent.end(), false) == silent.end();
 }
 
 std::string no_such_tile(const Mesh& mesh, int tile) {
-  std::string said = "the model has nothing in tile " + std::to_string(tile) + "; its tiles are";
-  for (const int udim : udims_of(make_uv_corners(mesh))) said += " " + std::to_string(udim);
-  return said;
+  std::string message = "the model has nothing in tile " + std::to_string(tile) + "; its tiles are";
+  for (const int udim : udims_of(make_uv_corners(mesh))) message += " " + std::to_string(udim);
+  return message;
 }
 
 }  // namespace
@@ -40,12 +40,12 @@ Evaluation run(const ApplyMap& command, const Surface& surface, const FieldSet& 
   const Masked masked = command.field == Field::mask ? Masked::no : Masked::yes;
   const std::vector<VertexWeight> region = region_of({}, everywhere, surface, fields, extras, masked);
   Evaluation done;
-  if (lies_nowhere(targets)) done.warnings.push_back(no_such_tile(mesh, command.tile));
+  if (applies_nowhere(targets)) done.warnings.push_back(no_such_tile(mesh, command.tile));
   for (const Field field : targets.fields) {
     FieldWriter writer(fields, field);
     for (const auto [v, weight] : region) {
-      if (!targets.says_nothing.empty() && targets.says_nothing[v]) continue;
-      if (field == Field::direction && !targets.keeps_direction.empty() && targets.keeps_direction[v]) continue;
+      if (!targets.outside_tile.empty() && targets.outside_tile[v]) continue;
+      if (field == Field::direction && !targets.no_direction.empty() && targets.no_direction[v]) continue;
       const glm::dvec4 now = to_summable(field, glm::dvec4(fields.value(field, v)));
       const glm::dvec4 there = to_summable(field, targets.values[static_cast<std::size_t>(field)][v]);
       done.clamped += writer.put(v, from_summable(field, (1 - weight) * now + weight * there));

@@ -95,31 +95,31 @@ double combined(const ChangeMask& command, double now, double chosen) {
 /// of equal values the paths with most distance left; a path that reaches a vertex with no more distance left than an
 /// earlier path cannot improve anything.
 Values grown(const Surface& surface, const Values& mask, double distance) {
-  struct Way {
+  struct PathEnd {
     double value, left;
     std::uint32_t vertex;
-    bool operator<(const Way& other) const {
+    bool operator<(const PathEnd& other) const {
       return value != other.value ? value < other.value
              : left != other.left ? left < other.left
                                   : vertex > other.vertex;
     }
   };
   const Mesh& mesh = surface.mesh();
-  std::priority_queue<Way> ways;
+  std::priority_queue<PathEnd> paths;
   for (std::uint32_t v = 0; v < mask.size(); ++v) {
-    if (mask[v] > 0) ways.push({mask[v], distance, v});
+    if (mask[v] > 0) paths.push({mask[v], distance, v});
   }
   Values max(mask.size(), 0.0), left(mask.size(), -1.0);
-  while (!ways.empty()) {
-    const Way way = ways.top();
-    ways.pop();
-    if (way.left <= left[way.vertex]) continue;
-    left[way.vertex] = way.left;
-    max[way.vertex] = std::max(max[way.vertex], way.value);
-    const glm::dvec3 here(mesh.positions[way.vertex]);
-    for (const std::uint32_t next : surface.neighbours(way.vertex)) {
-      const double rest = way.left - glm::distance(here, glm::dvec3(mesh.positions[next]));
-      if (rest >= 0 && rest > left[next]) ways.push({way.value, rest, next});
+  while (!paths.empty()) {
+    const PathEnd path = paths.top();
+    paths.pop();
+    if (path.left <= left[path.vertex]) continue;
+    left[path.vertex] = path.left;
+    max[path.vertex] = std::max(max[path.vertex], path.value);
+    const glm::dvec3 here(mesh.positions[path.vertex]);
+    for (const std::uint32_t next : surface.neighbours(path.vertex)) {
+      const double remaining = path.left - glm::distance(here, glm::dvec3(mesh.positions[next]));
+      if (remaining >= 0 && remaining > left[next]) paths.push({path.value, remaining, next});
     }
   }
   return max;

@@ -27,19 +27,19 @@ class PlacedNoise {
       if (noise.feature_ >= finest)
         lattice_.emplace(glm::dvec3(position) / noise.feature_);
       else
-        place_ = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
+        position_hash_ = mix_bits(bits(position.x) << 32 | bits(position.y)) ^ bits(position.z);
     }
 
     /// Returns a number in [-1, 1], a different one for each channel.
     double operator()(std::uint64_t channel) const {
       const std::uint64_t stream = mix_bits(seed_ ^ (channel << 32));
-      return lattice_ ? (*lattice_)(stream) : Random(stream, place_).uniform(-1, 1);
+      return lattice_ ? (*lattice_)(stream) : Random(stream, position_hash_).uniform(-1, 1);
     }
 
    private:
     static std::uint64_t bits(float x) { return std::bit_cast<std::uint32_t>(x + 0.0f); }
 
-    std::uint64_t seed_, place_ = 0;
+    std::uint64_t seed_, position_hash_ = 0;
     std::optional<ValueNoise> lattice_;
   };
   Numbers at(glm::vec3 position) const { return {*this, position}; }

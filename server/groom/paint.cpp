@@ -8,8 +8,8 @@ namespace {
 
 /// Composites paint over paint: returns the mean of both colours, weighted by their visible coverage, and the coverage.
 glm::dvec4 over(glm::dvec4 below, glm::dvec3 colour, double cover, double weight) {
-  const double left = below.w * (1 - weight), laid = cover * weight, both = left + laid;
-  const glm::dvec3 mixed = both > 0 ? (left * glm::dvec3(below) + laid * colour) / both : glm::dvec3(0);
+  const double left = below.w * (1 - weight), applied = cover * weight, both = left + applied;
+  const glm::dvec3 mixed = both > 0 ? (left * glm::dvec3(below) + applied * colour) / both : glm::dvec3(0);
   return glm::dvec4(mixed, both);
 }
 

@@ -15,7 +15,7 @@ Evaluation run(const Part& command, const Surface& surface, const FieldSet& fiel
       if (v % 256 == 0) extras.cancel.check();  // each vertex visits the whole stroke
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 away = sign * safe_unit(position - nearest_on_path(*command.stroke, surface, position));
-      writer.put(v, turned(glm::dvec2(fields.direction()[v]), frame_at(mesh, v), away, command.lean, weight));
+      writer.put(v, leaned_towards(glm::dvec2(fields.direction()[v]), frame_at(mesh, v), away, command.lean, weight));
     }
   }
   Evaluation done;

@@ -44,19 +44,19 @@ PoleFinder::Walk::Walk(const Mesh& mesh, const Adjacency& edges, const Cancel& c
 
 const std::vector<std::uint32_t>& PoleFinder::Walk::from(std::span<const std::uint32_t> sources, double farthest) {
   constexpr std::size_t often = 0x3fff;
-  using Place = std::pair<double, std::uint32_t>;
+  using Entry = std::pair<double, std::uint32_t>;
   for (const std::uint32_t v : reached_) distances_[v] = unreached;
   reached_.clear();
-  std::priority_queue<Place, std::vector<Place>, std::greater<>> open;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   const auto reach = [&](std::uint32_t v, double distance) {
     if (distance > farthest || !(distance < distances_[v])) return;
     if (distances_[v] == unreached) reached_.push_back(v);
-    distances_[v] = distance, open.emplace(distance, v);
+    distances_[v] = distance, queue.emplace(distance, v);
   };
   for (const std::uint32_t v : sources) reach(v, 0);
-  for (std::size_t steps = 1; !open.empty(); ++steps) {
-    const auto [distance, v] = open.top();
-    open.pop();
+  for (std::size_t steps = 1; !queue.empty(); ++steps) {
+    const auto [distance, v] = queue.top();
+    queue.pop();
     if ((steps & often) == 0) cancel_.check();
     if (distance > distances_[v]) continue;
     for (const std::uint32_t other : edges_.of(v))

@@ -21,7 +21,7 @@ std::string sample_pointer(std::size_t sample, const char* field) {
 }
 
 /// Checks what can only be checked against the surface, for each sample but pixels.
-Status check_place(const StrokeSample& sample, std::size_t number, const Surface& surface) {
+Status check_position(const StrokeSample& sample, std::size_t number, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
   if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
     if (!reachable(mesh.to_internal(place->position))) return out_of_reach(sample_pointer(number, "position"));
@@ -54,9 +54,9 @@ Stroke seen_from(const View& view) {
 }
 
 /// The standing fur of all visible coats.
-class SeenCoats {
+class VisibleCoats {
  public:
-  SeenCoats(const Surface& surface, const SeenFur& fur) {
+  VisibleCoats(const Surface& surface, const VisibleFur& fur) {
     for (const NamedCoat& coat : fur.coats) {
       if (coat.muted) continue;
       fields_.push_back(fur.fields.of_coat(coat.id));
@@ -64,11 +64,11 @@ class SeenCoats {
     }
   }
 
-  /// Returns the nearest of the coats' hits (StandingFur::hit_by).
-  std::optional<glm::dvec3> hit_by(const StandingFur::Ray& ray, double beside) const {
+  /// Returns the nearest of the coats' hits (StandingFur::first_hit).
+  std::optional<glm::dvec3> first_hit(const StandingFur::Ray& ray, double max_gap) const {
     std::optional<glm::dvec3> nearest;
     for (const StandingFur& standing : standing_) {
-      const std::optional<glm::dvec3> hit = standing.hit_by(ray, beside);
+      const std::optional<glm::dvec3> hit = standing.first_hit(ray, max_gap);
       if (hit && (!nearest || glm::distance(*hit, ray.origin) < glm::distance(*nearest, ray.origin))) nearest = hit;
     }
     return nearest;
@@ -85,10 +85,10 @@ class SeenCoats {
 };
 
 /// Finds the positions visible under pixels of a stroke's view.
-class SeenPlaces {
+class VisiblePositions {
  public:
   /// A null `fur` finds positions on the skin alone.
-  SeenPlaces(const Stroke& stroke, const Brush& brush, const Surface& surface, const SeenCoats* fur)
+  VisiblePositions(const Stroke& stroke, const Brush& brush, const Surface& surface, const VisibleCoats* fur)
       : view_(*stroke.view),
         camera_(place_camera(view_.camera, static_cast<double>(view_.width) / view_.height, surface.mesh())),
         surface_(surface),
@@ -112,38 +112,38 @@ class SeenPlaces {
   std::optional<glm::dvec3> fur_at(glm::dvec3 direction, const std::optional<SurfacePoint>& skin) const {
     const glm::dvec3 end = skin ? surface_.position(*skin) : glm::dvec3(0);
     const double length = skin ? glm::distance(end, camera_.position) : std::numeric_limits<double>::infinity();
-    return fur_->hit_by({camera_.position, direction, length}, skin ? 0 : brush_.radius_at(end));
+    return fur_->first_hit({camera_.position, direction, length}, skin ? 0 : brush_.radius_at(end));
   }
 
   const View& view_;
   PlacedCamera camera_;
   const Surface& surface_;
-  const SeenCoats* fur_;
+  const VisibleCoats* fur_;
   BrushStroke brush_;
 };
 
 /// Checks for cancellation, and the cost including the stroke's visits so far.
-Status check_visits(const SeenFur& fur, double visits) {
+Status check_visits(const VisibleFur& fur, double visits) {
   if (fur.cancel.asked()) return nobody_waits();
   if (fur.visits + visits <= limits::evaluation_visits) return {};
   return failure(Code::invalid, "the pixels of the stroke are too much work over so much fur", "/stroke/samples",
                  fmt::format("at most {:.0f} visits of vertices in a request", limits::evaluation_visits));
 }
 
-Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, const SeenFur* fur) {
+Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, const VisibleFur* fur) {
   if (Status bad = check_view(stroke, surface.mesh()); !bad.ok()) return bad;
   const bool pixels = shows_pixels(stroke);
   if (pixels && !stroke.view)
     return failure(Code::invalid, "pixel samples need the view they were drawn on", "/stroke/view");
   if (!brush.reach && pixels && brush.falloff_shape == FalloffShape::volume) brush.reach = Reach::fur;
-  std::optional<SeenCoats> standing;
+  std::optional<VisibleCoats> standing;
   if (pixels && fur && brush.reach == Reach::fur) standing.emplace(surface, *fur);
-  std::optional<SeenPlaces> seen;
+  std::optional<VisiblePositions> seen;
   if (pixels) seen.emplace(stroke, brush, surface, standing ? &*standing : nullptr);
   std::vector<StrokeSample> resolved;
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     StrokeSample sample = stroke.samples[i];
-    if (Status bad = check_place(sample, i, surface); !bad.ok()) return bad;
+    if (Status bad = check_position(sample, i, surface); !bad.ok()) return bad;
     if (const auto* pixel = std::get_if<ScreenSample>(&sample.place)) {
       const auto place = seen->at(pixel->screen);
       if (Status bad = standing ? check_visits(*fur, standing->visits()) : Status{}; !bad.ok()) return bad;
@@ -345,7 +345,7 @@ struct CheckTool {
 
 }  // namespace
 
-Result<Command> resolve(const Command& command, const Surface& surface, const SeenFur* fur) {
+Result<Command> resolve(const Command& command, const Surface& surface, const VisibleFur* fur) {
   if (Status bad = std::visit(CheckTool{surface.mesh()}, command); !bad.ok()) return bad;
   Command resolved = command;
   Stroke* stroke = stroke_of(resolved);

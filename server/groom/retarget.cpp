@@ -30,12 +30,12 @@ glm::dvec3 box_scale(const Mesh& from, const Mesh& to) {
 
 }  // namespace
 
-Laid lay_over(const Mesh& from, const Mesh& to, Alignment how) {
+AlignmentTransform internal_alignment(const Mesh& from, const Mesh& to, Alignment how) {
   if (how == Alignment::box) return {box_scale(from, to), glm::dvec3(0)};  // both boxes are centred at 0
   return {glm::dvec3(from.size / to.size), (from.centre - to.centre) / to.size};
 }
 
-Laid lay_models_over(const Mesh& from, const Mesh& to, Alignment how) {
+AlignmentTransform model_alignment(const Mesh& from, const Mesh& to, Alignment how) {
   if (how == Alignment::none) return {};
   const glm::dvec3 scale = box_scale(from, to) * (to.size / from.size);
   return {scale, to.centre - scale * from.centre};
@@ -43,47 +43,48 @@ Laid lay_models_over(const Mesh& from, const Mesh& to, Alignment how) {
 
 namespace {
 
-constexpr double same_place = 1e-9;  // sizes
+constexpr double same_position = 1e-9;  // sizes
 
 /// A map from the model coordinates of one model to those of another.
-class ModelMap : public PlaceMap {
+class ModelMap : public PositionMap {
  public:
   ModelMap(const Surface& from, const Surface& to, Alignment how)
       : from_(from),
         to_(to),
-        laid_(lay_models_over(from.mesh(), to.mesh(), how)),
-        longer_(how == Alignment::none ? 1 : to.mesh().size / from.mesh().size) {}
+        alignment_(model_alignment(from.mesh(), to.mesh(), how)),
+        length_scale_(how == Alignment::none ? 1 : to.mesh().size / from.mesh().size) {}
 
-  glm::dvec3 place(glm::dvec3 position) const override { return laid_.place(position); }
+  glm::dvec3 place(glm::dvec3 position) const override { return alignment_.place(position); }
 
   /// Maps a position on one model's skin to the other model's skin. A position off the skin keeps its offset from it.
   glm::dvec3 on_skin(glm::dvec3 position) const override {
     const Mesh &mesh = from_.mesh(), &other = to_.mesh();
     const glm::dvec3 skin = mesh.to_model(from_.position(from_.nearest(mesh.to_internal(position))));
-    const glm::dvec3 wanted = other.to_internal(laid_.place(skin));
+    const glm::dvec3 wanted = other.to_internal(alignment_.place(skin));
     const glm::dvec3 shift = to_.position(to_.nearest(wanted)) - wanted;
-    const glm::dvec3 straight = laid_.place(position);
-    return glm::length(shift) < same_place ? straight : straight + other.size * shift;
+    const glm::dvec3 straight = alignment_.place(position);
+    return glm::length(shift) < same_position ? straight : straight + other.size * shift;
   }
 
   SurfaceSample on_skin(const SurfaceSample& place) const override {
     const glm::dvec3 skin = from_.mesh().to_model(from_.position({place.triangle, place.barycentric}));
-    const glm::dvec3 wanted = to_.mesh().to_internal(laid_.place(skin));
+    const glm::dvec3 wanted = to_.mesh().to_internal(alignment_.place(skin));
     const bool numbered = place.triangle < to_.mesh().triangles.size();
-    if (numbered && glm::distance(to_.position({place.triangle, place.barycentric}), wanted) < same_place) return place;
+    if (numbered && glm::distance(to_.position({place.triangle, place.barycentric}), wanted) < same_position)
+      return place;
     const SurfacePoint there = to_.nearest(wanted);
     return {there.triangle, glm::max(there.barycentric, 0.0)};
   }
 
-  glm::dvec3 direction(glm::dvec3 direction) const override { return laid_.direction(direction); }
-  glm::dvec3 normal(glm::dvec3 normal) const override { return laid_.normal(normal); }
-  double length(double length) const override { return length * longer_; }
+  glm::dvec3 direction(glm::dvec3 direction) const override { return alignment_.direction(direction); }
+  glm::dvec3 normal(glm::dvec3 normal) const override { return alignment_.normal(normal); }
+  double length(double length) const override { return length * length_scale_; }
   bool mirrors() const override { return false; }
 
  private:
   const Surface &from_, &to_;
-  Laid laid_;
-  double longer_;
+  AlignmentTransform alignment_;
+  double length_scale_;
 };
 
 /// Refuses commands that are valid on one model only.
@@ -100,7 +101,7 @@ Status check_carried(const Command& command) {
 
 }  // namespace
 
-Result<Command> carried_command(const Command& resolved, const Surface& from, const Surface& to, Alignment how) {
+Result<Command> transferred_command(const Command& resolved, const Surface& from, const Surface& to, Alignment how) {
   if (Status stays = check_carried(resolved); !stays.ok()) return stays;
   Command carried = resolved;
   move_command(carried, ModelMap(from, to, how), from);
@@ -112,12 +113,12 @@ double length_factor(const Mesh& from, const Mesh& to, Alignment how) {
 }
 
 NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignment align) {
-  const Laid laid = lay_over(mesh, source.mesh(), align);
+  const AlignmentTransform alignment = internal_alignment(mesh, source.mesh(), align);
   std::vector<std::array<MixShare, 3>> corners(mesh.positions.size());
   std::vector<double> distances(corners.size());
-  for_each_run_in_parallel(static_cast<std::uint32_t>(corners.size()), [&](std::uint32_t begin, std::uint32_t end) {
+  for_each_range_in_parallel(static_cast<std::uint32_t>(corners.size()), [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t v = begin; v < end; ++v) {
-      const glm::dvec3 place = laid.place(glm::dvec3(mesh.positions[v]));
+      const glm::dvec3 place = alignment.place(glm::dvec3(mesh.positions[v]));
       const SurfacePoint point = source.nearest(place);
       distances[v] = glm::distance(source.position(point), place);
       for (std::size_t k = 0; k < 3; ++k) {
@@ -126,7 +127,7 @@ NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignmen
       }
     }
   });
-  const auto far = std::count_if(distances.begin(), distances.end(), [](double d) { return d > far_away; });
+  const auto far = std::count_if(distances.begin(), distances.end(), [](double d) { return d > far_threshold; });
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());
   return {std::move(corners), static_cast<std::size_t>(far), *middle};
@@ -155,13 +156,13 @@ Evaluation run(const Retarget& command, const Surface& surface, const FieldSet& 
   const FieldSet& source_fields = *extras.baseline;
   const Mesh &mesh = surface.mesh(), &other = source.mesh();
   const NearestCorners found = nearest_corners(mesh, source, command.align);
-  const double longer = length_factor(other, mesh, command.align);
+  const double length_scale = length_factor(other, mesh, command.align);
   Evaluation done;
   if (found.far > 0) done.warnings.push_back(far_warning(found.far, found.corners.size()));
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     if (!takes(command, field) || (fields.at_default(field) && source_fields.at_default(field))) continue;
-    const double factor = field == Field::length ? longer : 1;
+    const double factor = field == Field::length ? length_scale : 1;
     const auto put = [&](std::uint32_t v, FieldWriter& writer) {
       const double weight = command.strength * double{fields.number(Field::mask, v)};
       if (weight == 0) return false;

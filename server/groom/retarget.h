@@ -14,7 +14,7 @@
 namespace pelage {
 
 /// A map from positions of one model to another: a scale for each axis, then a shift.
-struct Laid {
+struct AlignmentTransform {
   glm::dvec3 scale{1}, shift{0};
 
   glm::dvec3 place(glm::dvec3 p) const { return scale * p + shift; }
@@ -26,18 +26,18 @@ struct Laid {
 
 /// Returns the map between the internal coordinates of both models. Along an axis on which a box is flat, the scale is
 /// 1.
-Laid lay_over(const Mesh& from, const Mesh& to, Alignment how);
+AlignmentTransform internal_alignment(const Mesh& from, const Mesh& to, Alignment how);
 /// Returns the map between the models' own coordinates.
-Laid lay_models_over(const Mesh& from, const Mesh& to, Alignment how);
+AlignmentTransform model_alignment(const Mesh& from, const Mesh& to, Alignment how);
 
-/// The corners of the source triangle nearest to each vertex, the number of vertices that lie farther than far_away
-/// from it, and the median distance, sizes of the source.
+/// The corners of the source triangle nearest to each vertex, the number of vertices that lie farther than
+/// far_threshold from it, and the median distance, sizes of the source.
 struct NearestCorners {
   std::vector<std::array<MixShare, 3>> corners;
   std::size_t far = 0;
   double median = 0;
 };
-inline constexpr double far_away = 0.05;  // sizes of the source
+inline constexpr double far_threshold = 0.05;  // sizes of the source
 NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignment align);
 
 /// Returns the factor from a length in sizes of `from` to one in sizes of `to`.

@@ -107,7 +107,7 @@ class Ring {
     for (std::size_t i = 0; i < region.size(); ++i)
       begin_[i + 1] = begin_[i] + static_cast<std::uint32_t>(surface.neighbours(region[i].vertex).size());
     shares_.resize(begin_.back());
-    for_each_run_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t first, std::uint32_t end) {
+    for_each_range_in_parallel(static_cast<std::uint32_t>(region.size()), [&](std::uint32_t first, std::uint32_t end) {
       std::vector<double> inverses;
       for (std::uint32_t i = first; i < end; ++i) put_shares(region[i].vertex, surface, inverses, &shares_[begin_[i]]);
     });
@@ -157,7 +157,7 @@ class SmoothedField {
         share_(strand_share(command.brush, field)),
         ring_(region, surface, command.passes > 1),
         now_(near.size()) {
-    for_each_run_in_parallel(static_cast<std::uint32_t>(now_.size()), [&](std::uint32_t begin, std::uint32_t end) {
+    for_each_range_in_parallel(static_cast<std::uint32_t>(now_.size()), [&](std::uint32_t begin, std::uint32_t end) {
       for (std::uint32_t n = begin; n < end; ++n)
         narrow(to_summable(field, glm::dvec4(fields.value(field, near.vertex(n)))), now_[n]);
     });
@@ -168,7 +168,7 @@ class SmoothedField {
     const auto count = static_cast<std::uint32_t>(region_.size());
     for (int pass = 0; pass < command_.passes; ++pass) {
       cancel_.check();
-      for_each_run_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
+      for_each_range_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
         typename Ring<AnyShare>::Scratch scratch;
         for (std::uint32_t i = begin; i < end; ++i) next_[near_.number(i)] = smoothed(i, scratch);
       });

@@ -17,11 +17,11 @@ namespace pelage {
 /// A strand of length 1 that leans as the fields say. A shorter strand is the same curve, scaled, so that each of its
 /// points moves on a straight line towards the root when it is cut.
 struct UnitStrand {
-  static constexpr int places = 8;  // number of points that approximate the strand
+  static constexpr int sample_count = 8;  // number of points that approximate the strand
 
   glm::dvec3 root{0};
-  std::array<glm::dvec3, places> offsets{};  // from the root
-  std::array<double, places> heights{};      // above the skin
+  std::array<glm::dvec3, sample_count> offsets{};  // from the root
+  std::array<double, sample_count> heights{};      // above the skin
 };
 UnitStrand strand_at(std::uint32_t vertex, const Mesh& mesh, const FieldSet& fields, const Coat& coat);
 
@@ -48,11 +48,11 @@ class StandingFur {
 
   /// Returns the strands that come within `radius` of a position, sorted by vertex; a bald vertex counts as a strand of
   /// length 0.
-  std::vector<Reached> within(glm::dvec3 place, double radius) const;
+  std::vector<Reached> within(glm::dvec3 position, double radius) const;
   /// Returns the point of a ray nearest to the first strand that it hits. There is a strand at each vertex, and the gap
   /// to its neighbours counts as hit too. If nothing is hit, returns the point nearest to the strand closest to the
-  /// ray, if that is within `beside` of it.
-  std::optional<glm::dvec3> hit_by(const Ray& ray, double beside) const;
+  /// ray, if that is within `max_gap` of it.
+  std::optional<glm::dvec3> first_hit(const Ray& ray, double max_gap) const;
 
   /// Returns the length of the strand at a vertex, in sizes; 0 if the coat has no strand there.
   double length(std::uint32_t vertex) const {
@@ -66,8 +66,8 @@ class StandingFur {
  private:
   struct Hit;
   const UnitStrand& strand(std::uint32_t vertex) const;
-  Reached nearest(std::uint32_t vertex, glm::dvec3 place) const;
-  void intersect(const Ray& ray, std::uint32_t vertex, double beside, Hit& best) const;
+  Reached nearest(std::uint32_t vertex, glm::dvec3 position) const;
+  void intersect(const Ray& ray, std::uint32_t vertex, double max_gap, Hit& best) const;
 
   const Surface& surface_;
   const FieldSet& fields_;

@@ -12,7 +12,7 @@ namespace {
 
 class Mover {
  public:
-  Mover(const PlaceMap& map, const Surface& surface) : map_(map), surface_(surface) {}
+  Mover(const PositionMap& map, const Surface& surface) : map_(map), surface_(surface) {}
 
   template <class Tool>
   bool operator()(Tool& tool) const {
@@ -163,13 +163,13 @@ class Mover {
     return false;
   }
 
-  const PlaceMap& map_;
+  const PositionMap& map_;
   const Surface& surface_;
 };
 
 }  // namespace
 
-bool move_command(Command& command, const PlaceMap& map, const Surface& surface) {
+bool move_command(Command& command, const PositionMap& map, const Surface& surface) {
   return std::visit(Mover(map, surface), command);
 }
 
@@ -212,7 +212,7 @@ std::vector<Motion> motions_of(const Symmetry& symmetry) {
 }
 
 /// Applies a motion to positions. Those on triangles move to the nearest surface positions.
-class MotionMap : public PlaceMap {
+class MotionMap : public PositionMap {
  public:
   MotionMap(const Motion& motion, const Surface& surface) : motion_(motion), surface_(surface) {}
 
@@ -236,13 +236,13 @@ class MotionMap : public PlaceMap {
 
 /// Adds the keys or curves of an image to those of the whole command; evaluated one after the other, the images would
 /// overwrite each other. Returns false for other commands.
-bool joins_images(Command& whole, const Command& image) {
-  if (auto* keys = std::get_if<Interpolate>(&whole); keys && !keys->stroke) {
+bool joins_images(Command& original, const Command& image) {
+  if (auto* keys = std::get_if<Interpolate>(&original); keys && !keys->stroke) {
     const auto& more = std::get<Interpolate>(image).keys;
     keys->keys.insert(keys->keys.end(), more.begin(), more.end());
     return true;
   }
-  if (auto* flow = std::get_if<Flow>(&whole); flow && !flow->stroke) {
+  if (auto* flow = std::get_if<Flow>(&original); flow && !flow->stroke) {
     const auto& more = std::get<Flow>(image).curves;
     flow->curves.insert(flow->curves.end(), more.begin(), more.end());
     return true;
@@ -268,7 +268,7 @@ const Symmetry& symmetry_of(const Command& command, const Symmetry& scene) {
   return brush != nullptr && brush->symmetry ? *brush->symmetry : scene;
 }
 
-std::vector<Command> images_of(const Command& resolved, const Symmetry& scene, const Surface& surface) {
+std::vector<Command> symmetry_images(const Command& resolved, const Symmetry& scene, const Surface& surface) {
   std::vector<Command> images{resolved};
   if (is_flood(resolved)) return images;
   for (const Motion& motion : motions_of(symmetry_of(resolved, scene))) {

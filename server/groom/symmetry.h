@@ -7,9 +7,9 @@
 namespace pelage {
 
 /// A transform of the positions of a command. Positions and lengths are in the model's coordinates and unit.
-class PlaceMap {
+class PositionMap {
  public:
-  virtual ~PlaceMap() = default;
+  virtual ~PositionMap() = default;
   virtual glm::dvec3 place(glm::dvec3 position) const = 0;    // of a position anywhere in space
   virtual glm::dvec3 on_skin(glm::dvec3 position) const = 0;  // of a position on the skin or near it
   virtual SurfaceSample on_skin(const SurfaceSample& place) const = 0;
@@ -22,6 +22,6 @@ class PlaceMap {
 /// Transforms the positions, directions and lengths of a command made on `surface`. Strokes lose their views, which
 /// show the original: the front-facing test then uses the skin's normal, and a radius in pixels becomes that of the
 /// first sample. Returns whether the command has positions that make its image a different command.
-bool move_command(Command& command, const PlaceMap& map, const Surface& surface);
+bool move_command(Command& command, const PositionMap& map, const Surface& surface);
 
 }  // namespace pelage

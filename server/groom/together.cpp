@@ -64,13 +64,13 @@ void add_field(Field field, std::vector<Reading> readings, const FieldSet& field
 
 }  // namespace
 
-FieldDelta together(std::span<const FieldDelta> images, const FieldSet& fields) {
+FieldDelta combine_symmetry_images(std::span<const FieldDelta> images, const FieldSet& fields) {
   if (images.size() == 1) return images.front();
   FieldDelta delta;
   for (std::size_t f = 0; f < field_count; ++f) {
     std::vector<Reading> readings;
     for (const FieldDelta& image : images)
-      if (const FieldDelta::Part* part = image.part(field_at(f), seen_sheet, fields.owner(field_at(f))))
+      if (const FieldDelta::Part* part = image.part(field_at(f), visible_sheet, fields.owner(field_at(f))))
         readings.emplace_back(*part, fields);
     add_field(field_at(f), std::move(readings), fields, delta);
   }

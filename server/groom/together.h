@@ -11,6 +11,6 @@ namespace pelage {
 /// change; one changed by several takes their mean, weighted by the magnitude of each. So equal images do not change
 /// anything twice, a stroke on a plane of symmetry gives the same result as without symmetry, and the combined result
 /// is mirror symmetric to the bit.
-FieldDelta together(std::span<const FieldDelta> images, const FieldSet& fields);
+FieldDelta combine_symmetry_images(std::span<const FieldDelta> images, const FieldSet& fields);
 
 }  // namespace pelage

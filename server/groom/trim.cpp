@@ -18,10 +18,10 @@ constexpr double uncut = std::numeric_limits<double>::infinity();
 double reach_in_sphere(glm::dvec3 root, glm::dvec3 offset, double radius, bool keep_inside) {
   const double a = glm::dot(offset, offset), b = glm::dot(root, offset), c = glm::dot(root, root) - radius * radius;
   if (keep_inside ? c >= 0 : c <= 0) return 0;
-  const double under = b * b - a * c;
-  if (!(a > 0) || under < 0) return uncut;
-  const double root_of = std::sqrt(under);
-  const double first = (-b - root_of) / a, second = (-b + root_of) / a;
+  const double discriminant = b * b - a * c;
+  if (!(a > 0) || discriminant < 0) return uncut;
+  const double sqrt_discriminant = std::sqrt(discriminant);
+  const double first = (-b - sqrt_discriminant) / a, second = (-b + sqrt_discriminant) / a;
   if (keep_inside) return std::max(second, 0.0);
   return first >= 0 ? first : uncut;
 }
@@ -33,7 +33,7 @@ class LongestStrand {
 
   double operator()(const UnitStrand& strand) const {
     double longest = uncut;
-    for (std::size_t k = 0; k < UnitStrand::places; ++k)
+    for (std::size_t k = 0; k < UnitStrand::sample_count; ++k)
       longest =
           std::min(longest, std::visit([&](const auto& shape) { return limit(shape, strand, k); }, command_.shape));
     return longest;
@@ -42,10 +42,10 @@ class LongestStrand {
  private:
   double limit(const TrimPlane& plane, const UnitStrand& strand, std::size_t k) const {
     const glm::dvec3 normal = safe_unit(plane.normal);
-    const double room = glm::dot(mesh_.to_internal(plane.point) - strand.root, normal);
+    const double clearance = glm::dot(mesh_.to_internal(plane.point) - strand.root, normal);
     const double climb = glm::dot(strand.offsets[k], normal);
-    if (room <= 0) return 0;
-    return climb > 0 ? room / climb : uncut;
+    if (clearance <= 0) return 0;
+    return climb > 0 ? clearance / climb : uncut;
   }
   double limit(const TrimSphere& sphere, const UnitStrand& strand, std::size_t k) const {
     const double radius = internal_length(sphere.radius, command_.units, mesh_);
@@ -53,8 +53,8 @@ class LongestStrand {
                            sphere.keep_inside);
   }
   double limit(double height, const UnitStrand& strand, std::size_t k) const {
-    const double room = internal_length(height, command_.units, mesh_);
-    return strand.heights[k] > 0 ? room / strand.heights[k] : uncut;
+    const double clearance = internal_length(height, command_.units, mesh_);
+    return strand.heights[k] > 0 ? clearance / strand.heights[k] : uncut;
   }
 
   const Trim& command_;

@@ -23,19 +23,19 @@ class TwoLevel {
   enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic };
 
   /// Keeps a reference to `cancel`, which is polled at each step; Cancelled is thrown out of the solver.
-  void listen(const Cancel& cancel) { cancel_ = &cancel; }
+  void set_cancel(const Cancel& cancel) { cancel_ = &cancel; }
 
   TwoLevel& analyzePattern(const Matrix&) { return *this; }
   TwoLevel& factorize(const Matrix& matrix) { return compute(matrix); }
   TwoLevel& compute(const Matrix& matrix) {
     inverse_ = matrix.diagonal().cwiseInverse();
-    gather(matrix);
+    aggregate(matrix);
     std::vector<Eigen::Triplet<Number>> entries;
     entries.reserve(static_cast<std::size_t>(matrix.nonZeros()));
     for (Eigen::Index column = 0; column < matrix.outerSize(); ++column) {
       for (typename Matrix::InnerIterator entry(matrix, column); entry; ++entry)
         entries.emplace_back(group_[entry.row()], group_[column],
-                             Eigen::numext::conj(looks_[entry.row()]) * entry.value() * looks_[column]);
+                             Eigen::numext::conj(transport_[entry.row()]) * entry.value() * transport_[column]);
     }
     Matrix coarse(groups_, groups_);
     coarse.setFromTriplets(entries.begin(), entries.end());
@@ -46,10 +46,10 @@ class TwoLevel {
   Vector solve(const Vector& right) const {
     if (cancel_) cancel_->check();
     Vector sums = Vector::Zero(groups_);
-    for (Eigen::Index v = 0; v < right.size(); ++v) sums[group_[v]] += Eigen::numext::conj(looks_[v]) * right[v];
+    for (Eigen::Index v = 0; v < right.size(); ++v) sums[group_[v]] += Eigen::numext::conj(transport_[v]) * right[v];
     const Vector moves = coarse_.solve(sums);
     Vector result = inverse_.cwiseProduct(right);
-    for (Eigen::Index v = 0; v < right.size(); ++v) result[v] += looks_[v] * moves[group_[v]];
+    for (Eigen::Index v = 0; v < right.size(); ++v) result[v] += transport_[v] * moves[group_[v]];
     return result;
   }
 
@@ -57,22 +57,22 @@ class TwoLevel {
 
  private:
   /// Collects groups of neighbours, breadth first.
-  void gather(const Matrix& matrix) {
+  void aggregate(const Matrix& matrix) {
     constexpr Eigen::Index groups = 20'000;
-    const auto full = static_cast<std::size_t>(matrix.rows() / groups + 1);
+    const auto group_size = static_cast<std::size_t>(matrix.rows() / groups + 1);
     group_.assign(static_cast<std::size_t>(matrix.rows()), -1);
-    looks_ = Vector::Ones(matrix.rows());
+    transport_ = Vector::Ones(matrix.rows());
     groups_ = 0;
     std::vector<Eigen::Index> members;
     for (Eigen::Index seed = 0; seed < matrix.rows(); ++seed) {
       if (group_[seed] >= 0) continue;
       members.assign(1, seed), group_[seed] = groups_;
-      for (std::size_t i = 0; i < members.size() && members.size() < full; ++i) {
-        for (typename Matrix::InnerIterator entry(matrix, members[i]); entry && members.size() < full; ++entry) {
+      for (std::size_t i = 0; i < members.size() && members.size() < group_size; ++i) {
+        for (typename Matrix::InnerIterator entry(matrix, members[i]); entry && members.size() < group_size; ++entry) {
           const double coupled = std::abs(entry.value());
           if (group_[entry.row()] >= 0 || !(coupled > 0)) continue;
           group_[entry.row()] = groups_, members.push_back(entry.row());
-          looks_[entry.row()] = -entry.value() / coupled * looks_[members[i]];
+          transport_[entry.row()] = -entry.value() / coupled * transport_[members[i]];
         }
       }
       ++groups_;
@@ -82,7 +82,7 @@ class TwoLevel {
   const Cancel* cancel_ = nullptr;
   Vector inverse_;          // reciprocals of the matrix's diagonal
   std::vector<int> group_;  // group of each vertex
-  Vector looks_;            // for each vertex, the value 1 at its group's first vertex, transported to it
+  Vector transport_;        // for each vertex, the value 1 at its group's first vertex, transported to it
   int groups_ = 0;
   Eigen::SimplicialLDLT<Matrix> coarse_;
 };

@@ -42,7 +42,7 @@ Mean mean_of(Field field, const std::vector<VertexWeight>& region, const Mesh& m
 glm::dvec2 unified(glm::dvec2 direction, const VertexFrame& frame, const std::optional<glm::dvec3>& heading,
                    const std::optional<double>& inclination, double weight) {
   const double own = glm::length(direction), lean = inclination.value_or(own);
-  if (heading) return turned(direction, frame, *heading, lean, weight);
+  if (heading) return leaned_towards(direction, frame, *heading, lean, weight);
   return own > no_heading ? direction * (1 + weight * (lean / own - 1)) : direction;
 }
 

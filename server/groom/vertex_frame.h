@@ -26,8 +26,8 @@ inline constexpr double no_heading = 1e-6;
 
 /// Returns V + weight (lean t - V) for the direction V, where t is the normalized tangent part of the unit vector
 /// `towards`; returns V if that has no heading.
-inline glm::dvec2 turned(glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards, double lean,
-                         double weight) {
+inline glm::dvec2 leaned_towards(glm::dvec2 direction, const VertexFrame& frame, glm::dvec3 towards, double lean,
+                                 double weight) {
   const glm::dvec2 part = frame.tangent_part(towards);
   const double along = glm::length(part);
   if (along < no_heading) return direction;

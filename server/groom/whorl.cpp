@@ -20,7 +20,7 @@ Evaluation run(const Whorl& command, const Surface& surface, const FieldSet& fie
       const glm::dvec3 position(mesh.positions[v]);
       const glm::dvec3 out = safe_unit(position - nearest_on_path(*command.stroke, surface, position));
       const glm::dvec3 towards = std::cos(turn) * out + std::sin(turn) * glm::cross(frame.normal, out);
-      writer.put(v, turned(glm::dvec2(fields.direction()[v]), frame, towards, command.lean, weight));
+      writer.put(v, leaned_towards(glm::dvec2(fields.direction()[v]), frame, towards, command.lean, weight));
     }
   }
   Evaluation done;

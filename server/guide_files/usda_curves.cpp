@@ -44,8 +44,7 @@ glm::dmat4 turn_of(std::string_view axes, const double* degrees) {
   return turn;
 }
 
-/// Returns the matrix of one operation. USD multiplies row vectors by matrices and writes their rows, which are columns
-/// here.
+/// Returns the matrix of one operation. USD's matrices apply to row vectors, so that their rows are columns here.
 Result<glm::dmat4> matrix_of(std::string_view name, const std::vector<double>& numbers) {
   const std::string_view kind = kind_of(name);
   const auto vector = [&] { return glm::dvec3(numbers[0], numbers[1], numbers[2]); };

@@ -5,8 +5,7 @@
 
 namespace pelage {
 
-/// A token: one of ( ) [ ] { } = , ; or a word or number, a text without its quotes, a path or an asset; empty at the
-/// end.
+/// A token: one of ( ) [ ] { } = , ; or a word, a number, a text without quotes, a path or an asset; empty at the end.
 struct UsdaToken {
   enum class Kind { end, mark, word, text } kind = Kind::end;
   std::string_view text = {};

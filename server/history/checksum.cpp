@@ -64,7 +64,7 @@ std::uint64_t next_chain(std::uint64_t before, std::uint64_t entry_checksum) {
   return mix_bits(mix_bits(before) ^ entry_checksum);
 }
 
-Status check_seal(Database& database, std::string_view id) {
+Status check_scene_checksum(Database& database, std::string_view id) {
   const std::string question =
       std::string("SELECT checksum = checksum(") + scene_columns + ") FROM scenes WHERE id = ?";
   Statement row = database.prepare(question.c_str());
@@ -73,7 +73,7 @@ Status check_seal(Database& database, std::string_view id) {
   return *found && row.number_at(0) == 0 ? damaged("the model of a scene") : Status{};
 }
 
-Status seal_scene(Database& database, std::string_view id) {
+Status update_scene_checksum(Database& database, std::string_view id) {
   const std::string update = std::string("UPDATE scenes SET checksum = checksum(") + scene_columns + ") WHERE id = ?";
   return database.prepare(update.c_str()).text(id).run();
 }

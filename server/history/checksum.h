@@ -30,8 +30,8 @@ std::uint64_t next_chain(std::uint64_t before, std::uint64_t entry_checksum);
 
 /// Fails (internal) if the checksum of a scene's row does not match. To be called before a part of the row is changed
 /// and sealed again.
-Status check_seal(Database& database, std::string_view id);
+Status check_scene_checksum(Database& database, std::string_view id);
 /// Updates the checksum of a scene's row from its other columns.
-Status seal_scene(Database& database, std::string_view id);
+Status update_scene_checksum(Database& database, std::string_view id);
 
 }  // namespace pelage

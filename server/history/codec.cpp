@@ -88,9 +88,9 @@ bool take_vertices(Bytes& in, std::uint64_t count, std::vector<std::uint32_t>& v
 
 /// Reads one field's change on one sheet of a coat. Returns false if the bytes hold none that may follow `before`.
 bool take_part(Bytes& in, const FieldDelta& before, FieldDelta::Part& part) {
-  const std::uint64_t place = in.number(), count = in.number();
-  const std::uint64_t field = place % fields_of_a_sheet, sheet = place / fields_of_a_sheet % sheets_of_a_coat;
-  const std::uint64_t coat = place / fields_of_a_sheet / sheets_of_a_coat;
+  const std::uint64_t field_code = in.number(), count = in.number();
+  const std::uint64_t field = field_code % fields_of_a_sheet, sheet = field_code / fields_of_a_sheet % sheets_of_a_coat;
+  const std::uint64_t coat = field_code / fields_of_a_sheet / sheets_of_a_coat;
   if (field >= field_count || sheet >= sheet_count || coat >= limits::coats) return false;
   if (coat > 0 && is_shared(field_at(field))) return false;
   if (count == 0 || count > in.left()) return false;  // each vertex takes at least one byte

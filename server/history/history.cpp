@@ -17,13 +17,13 @@ namespace pelage {
 
 namespace {
 
-Status too_few(const char* what, std::size_t available) {
-  return failure(Code::invalid, std::string("there are fewer steps to ") + what, "/steps",
+Status too_few(const char* verb, std::size_t available) {
+  return failure(Code::invalid, std::string("there are fewer steps to ") + verb, "/steps",
                  "at most " + std::to_string(available));
 }
 
 /// Returns the commands of a log line as they can be sent again: strokes are whole, without ids and parts.
-std::vector<Command> whole_commands(const std::string& text) {
+std::vector<Command> commands_to_resend(const std::string& text) {
   Result<std::vector<Command>> decoded = decode_commands(text);
   assert(decoded.ok());  // encode() wrote the text
   if (!decoded) return {};
@@ -168,15 +168,15 @@ Result<FieldDelta> History::redo(std::uint64_t steps) const {
 }
 
 void History::drop(Step& step) noexcept {
-  held_bytes_ -= step.bytes.size();
+  step_bytes_ -= step.bytes.size();
   step.bytes = {};
 }
 
 /// Evicts the changes of the oldest undo steps first, then those of the redo steps that are redone last.
-void History::keep_to_budget() noexcept {
+void History::evict_to_budget() noexcept {
   dropped_ = std::min(dropped_, done_.size());
-  for (; held_bytes_ > memory_.bytes && dropped_ < done_.size(); ++dropped_) drop(done_[dropped_]);
-  for (std::size_t i = 0; held_bytes_ > memory_.bytes; ++i) drop(undone_[i]);
+  for (; step_bytes_ > memory_.bytes && dropped_ < done_.size(); ++dropped_) drop(done_[dropped_]);
+  for (std::size_t i = 0; step_bytes_ > memory_.bytes; ++i) drop(undone_[i]);
 }
 
 bool History::is_last(EntryKind kind) const { return records_.back().line.kind == name_of(kind); }
@@ -307,14 +307,14 @@ void History::record_one(EntryKind kind, Record record, std::string bytes) noexc
   record.undo_steps = done_.size(), record.redo_steps = undone_.size();
   record_bytes_ += bytes_of(record.line, record.settings != records_.back().settings ? record.settings.get() : nullptr);
   records_.push_back(std::move(record));
-  keep_to_budget();
+  evict_to_budget();
 }
 
 /// Adds a step from the last record to the next one, and drops the steps that could be redone.
 void History::add_step(std::string bytes) noexcept {
   std::for_each(undone_.begin(), undone_.end(), [&](Step& step) { drop(step); });
   undone_.clear();
-  held_bytes_ += bytes.size();
+  step_bytes_ += bytes.size();
   done_.push_back({std::move(bytes), records_.size() - 1, records_.size()});
 }
 
@@ -324,7 +324,7 @@ void History::join_step(std::string bytes) noexcept {
   step.after = records_.size();
   if (step.bytes.empty()) return;
   drop(step);
-  held_bytes_ += bytes.size();
+  step_bytes_ += bytes.size();
   step.bytes = std::move(bytes);
 }
 
@@ -369,7 +369,7 @@ std::vector<ListedStep> steps_of(const std::vector<ListedEntry>& entries) {
   std::vector<ListedStep> steps;
   std::optional<ListedStep> later;  // parts that join the next entry in this loop
   for (const ListedEntry& entry : entries) {
-    ListedStep step{entry.step, entry.revision, entry.revision, entry.before, whole_commands(entry.commands)};
+    ListedStep step{entry.step, entry.revision, entry.revision, entry.before, commands_to_resend(entry.commands)};
     if (later) {
       prepend_samples(later->commands.front(), step.commands.front());
       step.commands = std::move(later->commands), step.last = later->last;

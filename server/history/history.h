@@ -104,9 +104,9 @@ class History {
   /// Returns the change of the last step, including all changes that joined it. Requires a step to undo.
   Result<FieldDelta> last_step() const { return change(done_.back()); }
   /// Returns the bytes of memory that the encoded changes of the steps take.
-  std::size_t held_bytes() const { return held_bytes_; }
+  std::size_t step_bytes() const { return step_bytes_; }
   /// Returns an estimate of the memory of the whole log, in bytes.
-  std::size_t bytes() const { return held_bytes_ + record_bytes_; }
+  std::size_t bytes() const { return step_bytes_ + record_bytes_; }
 
   /// Returns whether the entry can follow: it has the next revision, and the steps or revision that it names exist.
   bool accepts(const Entry& entry) const;
@@ -156,14 +156,14 @@ class History {
   void add_step(std::string bytes) noexcept;
   void join_step(std::string bytes) noexcept;
   void drop(Step& step) noexcept;
-  void keep_to_budget() noexcept;
+  void evict_to_budget() noexcept;
   void record_one(EntryKind kind, Record record, std::string bytes) noexcept;
 
   Revision first_;
   std::vector<Record> records_;
   std::vector<Step> done_, undone_;  // back() is the next to undo or redo
   UndoMemory memory_;
-  std::size_t held_bytes_ = 0;
+  std::size_t step_bytes_ = 0;
   std::size_t record_bytes_ = 0;
   std::size_t dropped_ = 0;  // this many of the oldest steps of done_ are known to have no bytes
 };

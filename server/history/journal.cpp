@@ -44,14 +44,14 @@ Status run_with_model(Database& database, Statement statement, const StoredScene
       .blob(subdivisions)
       .text(encode_creases_and_flips(scene.model.prepare));
   Status written = bind_settings(statement, scene.first_settings).text(scene.id).run();
-  if (written.ok()) written = seal_scene(database, scene.id);
+  if (written.ok()) written = update_scene_checksum(database, scene.id);
   return written.ok() ? write_request(database, scene.request, scene.id, scene.first_revision) : written;
 }
 
 /// Drops the references to the pictures of the scene's log, except to one that its settings name.
 Status change_pictures(Database& database, const StoredScene& scene) {
   const std::string used = scene.first_settings ? scene.first_settings->skin_texture : "";
-  if (used.empty()) return leave_pictures(database, scene.id);
+  if (used.empty()) return remove_picture_uses(database, scene.id);
   constexpr const char* others = "DELETE FROM picture_uses WHERE scene = ? AND picture <> ?";
   return database.prepare(others).text(scene.id).text(used).run();
 }
@@ -65,12 +65,12 @@ Journal::~Journal() = default;
 Result<std::unique_ptr<Journal>> Journal::open(const std::string& path) {
   Result<Database> writer = Database::open(path);
   if (!writer) return writer.status();
-  if (Status kept = writer->execute(writer_pragmas); !kept.ok()) return kept;
+  if (Status executed = writer->execute(writer_pragmas); !executed.ok()) return executed;
   if (Status good = prepare_schema(*writer); !good.ok()) return good;
   static_cast<void>(writer->execute(drop_unused_pictures));  // a failure must not prevent the start
   Result<Database> reader = Database::open(path);
   if (!reader) return reader.status();
-  if (Status kept = reader->execute(reader_pragmas); !kept.ok()) return kept;
+  if (Status executed = reader->execute(reader_pragmas); !executed.ok()) return executed;
   std::unique_ptr<Journal> journal(
       new Journal(std::make_unique<Database>(std::move(*writer)), std::make_unique<Database>(std::move(*reader))));
   if (Status read = journal->read_tails(); !read.ok()) return read;
@@ -94,31 +94,31 @@ Status Journal::read_tails() {
 }
 
 Status Journal::change(const std::string& scene, const std::function<Status(LogTail&)>& work) {
-  const auto [place, fresh] = tails_.try_emplace(scene);
-  const LogTail before = place->second;
-  const auto take_back = [&, at = place, made = fresh] {
+  const auto [tail_entry, fresh] = tails_.try_emplace(scene);
+  const LogTail before = tail_entry->second;
+  const auto roll_back = [&, at = tail_entry, made = fresh] {
     at->second = before;
     if (made) tails_.erase(at);
   };
-  std::string told;  // made before the commit, after which nothing may fail
+  std::string acknowledged;  // made before the commit, after which nothing may fail
   Status done;
   try {
-    done = take([&, at = place] {
+    done = take([&, at = tail_entry] {
       Status worked = work(at->second);
-      if (worked.ok() && guard_) told = JournalGuard::text_of(tails_);
+      if (worked.ok() && guard_) acknowledged = JournalGuard::text_of(tails_);
       return worked;
     });
   } catch (...) {
-    take_back();
+    roll_back();
     throw;
   }
-  if (!done.ok()) take_back();
-  if (done.ok() && guard_) guard_->acknowledge(told);
+  if (!done.ok()) roll_back();
+  if (done.ok() && guard_) guard_->acknowledge(acknowledged);
   return done;
 }
 
-Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
-                                                  const std::function<Status(const TakeRows&)>& feed) {
+Result<std::unique_ptr<Journal>> Journal::from_rows(const std::string& path,
+                                                    const std::function<Status(const TakeRows&)>& feed) {
   Result<std::unique_ptr<Journal>> journal = open(path);
   if (!journal) return journal;
   Database& database = *(*journal)->writer_;
@@ -136,17 +136,17 @@ Result<std::unique_ptr<Journal>> Journal::of_rows(const std::string& path,
 Status Journal::take(const std::function<Status()>& work) {
   Status done = writer_->transaction([&] {
     Status worked = work();
-    return worked.ok() && guard_ ? guard_->files_are_there() : worked;
+    return worked.ok() && guard_ ? guard_->files_in_place() : worked;
   });
   if (done.code != Code::unavailable || !guard_) return done;
-  Status room = check_room();
-  return room.ok() ? done : room;
+  Status free_space = check_free_space();
+  return free_space.ok() ? done : free_space;
 }
 
-Status Journal::check_room() const {
-  const std::uint64_t room = guard_->room() >> 20, needed = min_room >> 20;
-  if (room >= needed) return {};
-  return failure(Code::unavailable, "The disk of the data folder has " + std::to_string(room) + " MiB left.", "",
+Status Journal::check_free_space() const {
+  const std::uint64_t free_space = guard_->free_space() >> 20, needed = min_free_bytes >> 20;
+  if (free_space >= needed) return {};
+  return failure(Code::unavailable, "The disk of the data folder has " + std::to_string(free_space) + " MiB left.", "",
                  "at least " + std::to_string(needed) + " MiB");
 }
 
@@ -154,7 +154,7 @@ Result<std::unique_ptr<Journal>> Journal::open_guarded(const std::string& path) 
   Result<FolderLock> lock = FolderLock::of(path);
   if (!lock) return lock.status();
   auto journal = open(path);
-  const bool full = JournalGuard::room_at(path) < min_room;
+  const bool full = JournalGuard::free_space_at(path) < min_free_bytes;
   if (!journal && full && JournalGuard::free_reserve(path)) journal = open(path);
   if (!journal) return journal;
   (*journal)->guard_ = std::make_unique<JournalGuard>(path, std::move(*lock));
@@ -163,12 +163,12 @@ Result<std::unique_ptr<Journal>> Journal::open_guarded(const std::string& path) 
 }
 
 void Journal::find_lost() {
-  for (const auto& [scene, told] : guard_->acknowledged().value_or(LogTails{})) {
+  for (const auto& [scene, acknowledged] : guard_->acknowledged().value_or(LogTails{})) {
     const auto present = tails_.find(scene);
     if (present == tails_.end()) {
-      lost_.push_back({scene, told.revision, {}});
-    } else if (present->second.revision < told.revision) {
-      lost_.push_back({scene, told.revision, present->second.revision});
+      lost_.push_back({scene, acknowledged.revision, {}});
+    } else if (present->second.revision < acknowledged.revision) {
+      lost_.push_back({scene, acknowledged.revision, present->second.revision});
     }
   }
   guard_->acknowledge(JournalGuard::text_of(tails_));
@@ -177,11 +177,11 @@ void Journal::find_lost() {
 // Does not wait for the lock: its holder is in a transaction, which checks the same.
 Status Journal::health() const {
   if (!guard_) return {};
-  if (Status there = guard_->files_are_there(); !there.ok()) return there;
+  if (Status there = guard_->files_in_place(); !there.ok()) return there;
   if (const std::unique_lock lock(writing_, std::try_to_lock); lock) {
-    if (Status clean = writer_->take_back_failed_commit(); !clean.ok()) return clean;
+    if (Status clean = writer_->roll_back_failed_commit(); !clean.ok()) return clean;
   }
-  return check_room();
+  return check_free_space();
 }
 
 Status Journal::add_scene(const StoredScene& scene) {
@@ -218,20 +218,21 @@ Status Journal::replace_model(const StoredScene& scene) {
 Status Journal::reshape_model(const StoredScene& scene) {
   const std::string first_groom = encode_delta(scene.first_groom);
   const std::string subdivisions = encode_subdivisions(scene.model.subdivisions);
-  const PrepareOptions& way = scene.model.prepare;
+  const PrepareOptions& prepare_options = scene.model.prepare;
   const std::lock_guard lock(writing_);
   return change(scene.id, [&](LogTail& tail) {
     tail = {scene.first_revision, scene.first_revision};
-    if (Status whole = check_seal(*writer_, scene.id); !whole.ok()) return whole;
+    if (Status intact = check_scene_checksum(*writer_, scene.id); !intact.ok()) return intact;
     Status changed = writer_->prepare("DELETE FROM entries WHERE scene = ?").text(scene.id).run();
     if (!changed.ok()) return changed;
     Statement update = writer_->prepare(
         "UPDATE scenes SET up = ?, front = ?, first_revision = ?, first_groom = ?, subdivisions = ?, settings = ?"
         " WHERE id = ?");
-    update.number(static_cast<std::uint64_t>(way.up)).number(static_cast<std::uint64_t>(way.front));
+    update.number(static_cast<std::uint64_t>(prepare_options.up))
+        .number(static_cast<std::uint64_t>(prepare_options.front));
     update.number(scene.first_revision).blob(first_groom).blob(subdivisions);
     changed = bind_settings(update, scene.first_settings).text(scene.id).run();
-    if (changed.ok()) changed = seal_scene(*writer_, scene.id);
+    if (changed.ok()) changed = update_scene_checksum(*writer_, scene.id);
     return changed.ok() ? write_request(*writer_, scene.request, scene.id, scene.first_revision) : changed;
   });
 }
@@ -239,9 +240,9 @@ Status Journal::reshape_model(const StoredScene& scene) {
 Status Journal::rename_scene(const std::string& id, const std::string& name) {
   const std::lock_guard lock(writing_);
   return take([&] {
-    if (Status whole = check_seal(*writer_, id); !whole.ok()) return whole;
+    if (Status intact = check_scene_checksum(*writer_, id); !intact.ok()) return intact;
     Status named = writer_->prepare("UPDATE scenes SET name = ? WHERE id = ?").text(name).text(id).run();
-    return named.ok() ? seal_scene(*writer_, id) : named;
+    return named.ok() ? update_scene_checksum(*writer_, id) : named;
   });
 }
 
@@ -249,7 +250,7 @@ Status Journal::remove_scene(const std::string& id) {
   const std::lock_guard lock(writing_);
   const auto remove = [&] {
     return take([&] {
-      if (Status unused = leave_pictures(*writer_, id); !unused.ok()) return unused;
+      if (Status unused = remove_picture_uses(*writer_, id); !unused.ok()) return unused;
       return writer_->prepare("DELETE FROM scenes WHERE id = ?").text(id).run();
     });
   };
@@ -260,14 +261,14 @@ Status Journal::remove_scene(const std::string& id) {
   if (removed.code == Code::unavailable && guard_ && guard_->free_reserve()) removed = remove();
   if (removed.ok()) tails_ = std::move(left);
   if (!removed.ok() && guard_) guard_->acknowledge(JournalGuard::text_of(tails_));
-  if (removed.ok()) give_room_back();
-  if (guard_) guard_->take_reserve();
+  if (removed.ok()) return_unused_pages();
+  if (guard_) guard_->allocate_reserve();
   return removed;
 }
 
 /// Returns unused pages to the disk. A failure is retried when the next scene is removed. Works in steps, because each
 /// step first writes the moved pages to the WAL.
-void Journal::give_room_back() {
+void Journal::return_unused_pages() {
   const auto unused_pages = [&] {
     const Result<std::uint64_t> count = writer_->number("PRAGMA freelist_count");
     return count ? *count : 0;
@@ -285,7 +286,7 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
                        const std::optional<KeyedRequest>& request) {
   const std::lock_guard lock(writing_);
   return change(branch, [&](LogTail& tail) {
-    if (Status whole = check_seal(*writer_, scene); !whole.ok()) return whole;
+    if (Status intact = check_scene_checksum(*writer_, scene); !intact.ok()) return intact;
     Statement row = writer_->prepare(
         "INSERT INTO scenes(id, name, model, up, front, source_is_32_bit,"
         " first_revision, first_groom, raw, fur_patches, subdivisions, creases_and_flips, settings, checksum)"
@@ -293,7 +294,7 @@ Status Journal::branch(const std::string& scene, const std::string& branch, cons
         " creases_and_flips, settings, checksum"
         " FROM scenes WHERE id = ?");
     if (Status added = row.text(branch).text(name).text(scene).run(); !added.ok()) return added;
-    if (Status sealed = seal_scene(*writer_, branch); !sealed.ok()) return sealed;
+    if (Status sealed = update_scene_checksum(*writer_, branch); !sealed.ok()) return sealed;
     Statement entries = writer_->prepare(
         "INSERT INTO entries SELECT ?, revision, kind, argument, chain, commands, settings, hash_low, hash_high, delta,"
         " author FROM entries WHERE scene = ? AND revision <= ?");
@@ -318,7 +319,7 @@ Status Journal::copy_into(const StoredScene& stored, const std::string& scene, R
     const Result<std::string> bytes = picture(name);
     if (!bytes) return bytes.status();
     if (Status added = to.insert_picture(name, *bytes); !added.ok()) return added;
-    if (Status used = keep_picture(*to.writer_, stored.id, name); !used.ok()) return used;
+    if (Status used = add_picture_use(*to.writer_, stored.id, name); !used.ok()) return used;
   }
   const auto copy = [&](const Entry& entry) {
     if (between) between();

@@ -54,7 +54,7 @@ struct RequestedChange {
 /// Entries that the journal had acknowledged to clients and lost since; the whole scene if there is no `present`.
 struct LostEntries {
   std::string scene;
-  Revision told = 0;
+  Revision acknowledged = 0;
   std::optional<Revision> present;
 };
 
@@ -72,8 +72,8 @@ class Journal {
   /// Makes a new journal from the rows (plain_rows.h) that `feed` delivers, all of them or none. Refuses (invalid)
   /// bytes that are not rows of a journal; fails as `feed` does.
   using TakeRows = std::function<Status(std::string_view bytes)>;
-  static Result<std::unique_ptr<Journal>> of_rows(const std::string& path,
-                                                  const std::function<Status(const TakeRows&)>& feed);
+  static Result<std::unique_ptr<Journal>> from_rows(const std::string& path,
+                                                    const std::function<Status(const TakeRows&)>& feed);
   /// Opens a server's journal as `open` does, under a JournalGuard. Fails (unavailable) while another server uses it.
   static Result<std::unique_ptr<Journal>> open_guarded(const std::string& path);
   ~Journal();
@@ -159,9 +159,9 @@ class Journal {
   // The caller of these must hold `writing_`.
   /// Runs `work` in a transaction that also checks that the journal's files are in place.
   Status take(const std::function<Status()>& work);
-  Status check_room() const;
+  Status check_free_space() const;
   void find_lost();
-  void give_room_back();
+  void return_unused_pages();
   Status change(const std::string& scene, const std::function<Status(LogTail&)>& work);
   Status read_tails();
   Status insert_scene(const StoredScene& scene, const std::string& first_groom, LogTail& tail);

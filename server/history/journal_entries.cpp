@@ -39,10 +39,10 @@ constexpr std::size_t rows_at_a_time = 64, bytes_at_a_time = std::size_t{4} << 2
 Status Journal::insert_entry(const std::string& scene, const Entry& entry, const std::string& delta, LogTail& tail) {
   Database& database = *writer_;
   if (entry.settings && !entry.settings->skin_texture.empty()) {
-    if (Status kept = keep_picture(database, scene, entry.settings->skin_texture); !kept.ok()) return kept;
+    if (Status added = add_picture_use(database, scene, entry.settings->skin_texture); !added.ok()) return added;
   }
   for (const std::string& picture : entry.pictures) {
-    if (Status kept = keep_picture(database, scene, picture); !kept.ok()) return kept;
+    if (Status added = add_picture_use(database, scene, picture); !added.ok()) return added;
   }
   Statement insert = database.prepare(
       "INSERT INTO entries(scene, revision, kind, argument, commands, settings, hash_low, hash_high, delta, author,"

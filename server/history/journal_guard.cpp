@@ -66,7 +66,7 @@ JournalGuard::JournalGuard(std::string path, FolderLock lock)
       tails_file_(open((path_ + "-acknowledged").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644)) {
   // Allocates all blocks that the text can need, so that a full disk does not truncate it.
   static_cast<void>(posix_fallocate(tails_file_, 0, max_text_bytes));
-  take_reserve();
+  allocate_reserve();
 }
 
 JournalGuard::~JournalGuard() {
@@ -79,7 +79,7 @@ std::optional<JournalGuard::File> JournalGuard::file_at(const std::string& path)
   return File{found.st_dev, found.st_ino};
 }
 
-Status JournalGuard::files_are_there() const {
+Status JournalGuard::files_in_place() const {
   for (const auto& [path, file] : {std::pair(path_, journal_), std::pair(path_ + "-wal", wal_)}) {
     if (file_at(path) == file) continue;
     return failure(Code::unavailable,
@@ -90,7 +90,7 @@ Status JournalGuard::files_are_there() const {
   return {};
 }
 
-std::uint64_t JournalGuard::room_at(const std::string& path) {
+std::uint64_t JournalGuard::free_space_at(const std::string& path) {
   struct statvfs disk {};
   if (statvfs(std::filesystem::path(path).parent_path().c_str(), &disk) != 0) return 0;
   return std::uint64_t{disk.f_bavail} * disk.f_frsize;
@@ -112,14 +112,14 @@ void JournalGuard::acknowledge(const std::string& text) noexcept {
 
 bool JournalGuard::free_reserve(const std::string& path) { return unlink(reserve_of(path).c_str()) == 0; }
 
-void JournalGuard::take_reserve() {
+void JournalGuard::allocate_reserve() {
   const std::string path = reserve_of(path_);
   struct stat found {};
-  if (stat(path.c_str(), &found) == 0 && static_cast<std::uint64_t>(found.st_size) >= min_room) return;
-  if (room() < 2 * min_room) return;
+  if (stat(path.c_str(), &found) == 0 && static_cast<std::uint64_t>(found.st_size) >= min_free_bytes) return;
+  if (free_space() < 2 * min_free_bytes) return;
   const int file = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
   if (file < 0) return;
-  const int failed = posix_fallocate(file, 0, static_cast<off_t>(min_room));
+  const int failed = posix_fallocate(file, 0, static_cast<off_t>(min_free_bytes));
   close(file);
   if (failed != 0) free_reserve();
 }

@@ -24,7 +24,7 @@ struct LogTail {
 using LogTails = std::map<std::string, LogTail>;  // by id of the scene
 
 /// Bytes that must be free on the disk for a server to be ready; also the size of the reserve.
-constexpr std::uint64_t min_room = std::uint64_t{16} << 20;
+constexpr std::uint64_t min_free_bytes = std::uint64_t{16} << 20;
 
 /// Locks the folder of a journal against other servers, as long as this object lives.
 class FolderLock {
@@ -42,7 +42,7 @@ class FolderLock {
 
 /// Watches an open journal and its WAL. Not thread-safe. It writes two files beside them. PATH-acknowledged holds the
 /// ends of all logs as acknowledged to clients; the journal has at least these, unless it has lost something.
-/// PATH-reserve occupies min_room bytes, which are freed to work with when the disk is full.
+/// PATH-reserve occupies min_free_bytes, which are freed to work with when the disk is full.
 class JournalGuard {
  public:
   JournalGuard(std::string path, FolderLock lock);
@@ -51,10 +51,10 @@ class JournalGuard {
   JournalGuard& operator=(const JournalGuard&) = delete;
 
   /// Fails (unavailable) once the journal or its WAL is no longer the file at its path, because then writes are lost.
-  Status files_are_there() const;
+  Status files_in_place() const;
   /// Returns the free bytes of the disk for the journal at a path, without the reserve.
-  static std::uint64_t room_at(const std::string& path);
-  std::uint64_t room() const { return room_at(path_); }
+  static std::uint64_t free_space_at(const std::string& path);
+  std::uint64_t free_space() const { return free_space_at(path_); }
 
   /// Returns the ends of logs that were acknowledged to clients, as the last server on this folder left them; nothing
   /// if the file is missing or damaged.
@@ -67,7 +67,7 @@ class JournalGuard {
   static bool free_reserve(const std::string& path);
   bool free_reserve() { return free_reserve(path_); }
   /// Allocates the reserve if the disk has room for it.
-  void take_reserve();
+  void allocate_reserve();
 
  private:
   struct File {

@@ -52,17 +52,17 @@ Result<LiveStroke::Plan> LiveStroke::next_part(const Command& command) const {
   const Stroke& part = *stroke_of(command);
   if (finished_) return failure(Code::conflict, "this stroke has had its last part", "/stroke/id");
   if (part.part != next_part_) return wrong_part(next_part_);
-  if (tool_text(command) != tool_text(whole_)) {
+  if (tool_text(command) != tool_text(merged_)) {
     return failure(Code::invalid, "a part repeats the tool, its settings and the view of its stroke", "/stroke/id");
   }
-  const std::vector<StrokeSample>& so_far = stroke_of(whole_)->samples;
+  const std::vector<StrokeSample>& so_far = stroke_of(merged_)->samples;
   if (Status bad = check_samples(so_far, part.samples); !bad.ok()) return bad;
-  Plan plan{whole_, command, logged_parts_ > 0};
-  Stroke& whole = *stroke_of(plan.whole);
-  whole.samples.insert(whole.samples.end(), part.samples.begin(), part.samples.end());
-  Stroke& unlogged = *stroke_of(plan.unlogged);
-  unlogged.part = logged_parts_;
-  unlogged.samples.insert(unlogged.samples.begin(), unlogged_.begin(), unlogged_.end());
+  Plan plan{merged_, command, logged_parts_ > 0};
+  Stroke& merged = *stroke_of(plan.merged);
+  merged.samples.insert(merged.samples.end(), part.samples.begin(), part.samples.end());
+  Stroke& to_log = *stroke_of(plan.to_log);
+  to_log.part = logged_parts_;
+  to_log.samples.insert(to_log.samples.begin(), unlogged_.begin(), unlogged_.end());
   return plan;
 }
 
@@ -76,12 +76,12 @@ void LiveStroke::accept(const Plan& plan, const Command& command, bool changed) 
   id_ = part->id;
   next_part_ = part->part + 1;
   finished_ = part->last;
-  whole_ = plan.whole;
+  merged_ = plan.merged;
   unlogged_.clear();
   if (changed)
     ++logged_parts_;
   else
-    unlogged_ = stroke_of(plan.unlogged)->samples;
+    unlogged_ = stroke_of(plan.to_log)->samples;
 }
 
 void LiveStroke::end() { *this = {}; }

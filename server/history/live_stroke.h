@@ -15,8 +15,8 @@ class LiveStroke {
  public:
   /// What to evaluate and log for a command, given the earlier parts of its stroke.
   struct Plan {
-    Command whole;       // to evaluate: the stroke with all parts so far
-    Command unlogged;    // to log: the samples since the last entry, as the next part of the step
+    Command merged;      // to evaluate: the stroke with all parts so far
+    Command to_log;      // to log: the samples since the last entry, as the next part of the step
     bool joins = false;  // evaluate from the state before the last step, and join that step
   };
 
@@ -32,7 +32,7 @@ class LiveStroke {
   /// Ends the stroke, because something else changed the scene.
   void end();
   /// Returns whether further parts may follow.
-  bool goes_on() const { return !id_.empty() && !finished_; }
+  bool is_live() const { return !id_.empty() && !finished_; }
 
  private:
   Result<Plan> next_part(const Command& command) const;
@@ -41,7 +41,7 @@ class LiveStroke {
   std::uint32_t next_part_ = 0;
   std::uint32_t logged_parts_ = 0;
   bool finished_ = false;
-  Command whole_;
+  Command merged_;
   std::vector<StrokeSample> unlogged_;  // samples of parts that changed nothing
 };
 

@@ -67,7 +67,7 @@ struct Cell {
   CellKind kind = CellKind::null;
   std::uint64_t value = 0;  // of an integer
   std::string_view bytes;   // of a text or blob, as far as present
-  bool whole = false;
+  bool complete = false;
 };
 
 /// Reads a cell and removes it from the front.
@@ -79,7 +79,7 @@ Result<Cell> take_cell(std::string_view& bytes) {
   if (cell.kind == CellKind::null || cell.kind == CellKind::integer) return cell;
   if (cell.kind != CellKind::text && cell.kind != CellKind::blob) return no_rows();
   if (cell.value > max_cell_bytes) return no_rows();
-  cell.whole = cell.value <= bytes.size();
+  cell.complete = cell.value <= bytes.size();
   cell.bytes = bytes.substr(0, cell.value);
   bytes.remove_prefix(cell.bytes.size());
   return cell;
@@ -91,7 +91,7 @@ Result<std::vector<Cell>> take_cells(std::string_view& bytes, std::size_t count)
   while (cells.size() < count) {
     const Result<Cell> cell = take_cell(bytes);
     if (!cell) return cell.status();
-    if (!cell->whole) return std::vector<Cell>();
+    if (!cell->complete) return std::vector<Cell>();
     cells.push_back(*cell);
   }
   return cells;
@@ -183,8 +183,8 @@ Result<std::size_t> RowLoader::take_row(std::string_view bytes) {
   const auto number = static_cast<unsigned char>(bytes.front());
   if (number >= tables_.size()) return no_rows();
   const Table& table = tables_[number];
-  std::string_view rest = bytes.substr(1);
-  const Result<std::vector<Cell>> cells = take_cells(rest, table.cells);
+  std::string_view remaining = bytes.substr(1);
+  const Result<std::vector<Cell>> cells = take_cells(remaining, table.cells);
   if (!cells) return cells.status();
   if (cells->empty()) return std::size_t{0};
   Statement insert = to_->prepare(table.insert.c_str());
@@ -192,7 +192,7 @@ Result<std::size_t> RowLoader::take_row(std::string_view bytes) {
   const Status put = insert.run();
   if (put.code == Code::unavailable) return put;
   if (!put.ok()) return failure(Code::invalid, "The rows of the file contradict each other: " + put.message);
-  return bytes.size() - rest.size();
+  return bytes.size() - remaining.size();
 }
 
 Status RowLoader::finish() { return waiting_.empty() ? check_kinds(*to_) : no_rows(); }

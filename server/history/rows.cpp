@@ -5,7 +5,7 @@
 
 namespace pelage {
 
-Status damaged(const std::string& what) { return failure(Code::internal, "the journal is damaged: " + what); }
+Status damaged(const std::string& detail) { return failure(Code::internal, "the journal is damaged: " + detail); }
 
 Statement& bind_settings(Statement& statement, const std::shared_ptr<const SceneSettings>& settings) {
   return settings ? statement.text(encode(commands_of(*settings))) : statement.null();
@@ -42,12 +42,12 @@ Status write_request(Database& database, const std::optional<KeyedRequest>& requ
       .run();
 }
 
-Status keep_picture(Database& database, const std::string& scene, const std::string& picture) {
+Status add_picture_use(Database& database, const std::string& scene, const std::string& picture) {
   Statement use = database.prepare("INSERT OR IGNORE INTO picture_uses VALUES(?,?)");
   return use.text(scene).text(picture).run();
 }
 
-Status leave_pictures(Database& database, const std::string& scene) {
+Status remove_picture_uses(Database& database, const std::string& scene) {
   constexpr const char* only_here =
       "SELECT picture FROM picture_uses GROUP BY picture HAVING min(scene) = ?1 AND max(scene) = ?1";
   std::vector<std::string> names;

@@ -13,7 +13,7 @@
 
 namespace pelage {
 
-Status damaged(const std::string& what);
+Status damaged(const std::string& detail);
 
 /// Binds settings, stored as the JSON of the commands that set them; NULL for none.
 Statement& bind_settings(Statement& statement, const std::shared_ptr<const SceneSettings>& settings);
@@ -30,8 +30,8 @@ Status write_request(Database& database, const std::optional<KeyedRequest>& requ
 Result<std::uint64_t> chain_at(Database& database, const std::string& scene, Revision revision);
 
 /// Records that the scene's log names the picture.
-Status keep_picture(Database& database, const std::string& scene, const std::string& picture);
+Status add_picture_use(Database& database, const std::string& scene, const std::string& picture);
 /// Removes the scene's references to pictures, and the pictures that only this scene's log named.
-Status leave_pictures(Database& database, const std::string& scene);
+Status remove_picture_uses(Database& database, const std::string& scene);
 
 }  // namespace pelage

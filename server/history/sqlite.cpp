@@ -26,36 +26,38 @@ Status status_of(sqlite3* database, int code) {
 
 Statement::Statement(sqlite3* database, const char* sql) : database_(database) {
   sqlite3_stmt* statement = nullptr;
-  keep(sqlite3_prepare_v2(database, sql, -1, &statement, nullptr));
+  record_error(sqlite3_prepare_v2(database, sql, -1, &statement, nullptr));
   statement_.reset(statement);
 }
 
 void Statement::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
-void Statement::keep(int code) {
+void Statement::record_error(int code) {
   if (error_ == SQLITE_OK) error_ = code;
 }
 
 Statement& Statement::number(std::uint64_t value) {
-  if (statement_) keep(sqlite3_bind_int64(statement_.get(), ++bound_, static_cast<sqlite3_int64>(value)));
+  if (statement_) record_error(sqlite3_bind_int64(statement_.get(), ++bound_, static_cast<sqlite3_int64>(value)));
   return *this;
 }
 
 Statement& Statement::text(std::string_view value) {
   if (statement_) {
-    keep(sqlite3_bind_text64(statement_.get(), ++bound_, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+    record_error(
+        sqlite3_bind_text64(statement_.get(), ++bound_, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
   }
   return *this;
 }
 
 Statement& Statement::blob(std::string_view bytes) {
   // Not copied: the bytes of a model are large, and outlive the statement.
-  if (statement_) keep(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_STATIC));
+  if (statement_)
+    record_error(sqlite3_bind_blob64(statement_.get(), ++bound_, bytes.data(), bytes.size(), SQLITE_STATIC));
   return *this;
 }
 
 Statement& Statement::null() {
-  if (statement_) keep(sqlite3_bind_null(statement_.get(), ++bound_));
+  if (statement_) record_error(sqlite3_bind_null(statement_.get(), ++bound_));
   return *this;
 }
 
@@ -150,7 +152,7 @@ Result<Database> Database::open(const std::string& path) {
 Result<Database> Database::in_memory() { return open(":memory:"); }
 
 Result<Database> Database::of_bytes(std::string bytes) {
-  constexpr std::int64_t room_to_upgrade = std::int64_t{1} << 30;
+  constexpr std::int64_t upgrade_bytes = std::int64_t{1} << 30;
   Result<Database> database = in_memory();
   if (!database) return database;
   sqlite3* raw = database->database_.get();
@@ -164,10 +166,11 @@ Result<Database> Database::of_bytes(std::string bytes) {
   constexpr unsigned flags = SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE;
   if (sqlite3_deserialize(raw, "main", copy, size, size, flags) != SQLITE_OK)
     return failure(Code::invalid, "it is no database");
-  sqlite3_int64 max = size + room_to_upgrade;
+  sqlite3_int64 max = size + upgrade_bytes;
   sqlite3_file_control(raw, "main", SQLITE_FCNTL_SIZE_LIMIT, &max);
-  Status kept = database->execute("PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY; PRAGMA journal_mode = OFF");
-  return kept.ok() ? std::move(database) : Result<Database>(kept);
+  Status configured =
+      database->execute("PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY; PRAGMA journal_mode = OFF");
+  return configured.ok() ? std::move(database) : Result<Database>(configured);
 }
 
 void Database::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
@@ -185,7 +188,7 @@ Status Database::execute(const char* sql) {
 
 // A commit whose sync failed may be complete in the WAL, where the next start would find it. The next commit overwrites
 // it, so this makes a commit that changes nothing.
-Status Database::take_back_failed_commit() {
+Status Database::roll_back_failed_commit() {
   if (!failed_commit_) return {};
   const Result<std::uint64_t> version = number("PRAGMA user_version");
   if (!version) return version.status();
@@ -198,9 +201,9 @@ Status Database::take_back_failed_commit() {
 }
 
 Status Database::transaction(const std::function<Status()>& work) {
-  if (Status clean = take_back_failed_commit(); !clean.ok()) return clean;
+  if (Status clean = roll_back_failed_commit(); !clean.ok()) return clean;
   Status done = try_transaction(work);
-  static_cast<void>(take_back_failed_commit());  // at once, in case of a kill; the next transaction retries
+  static_cast<void>(roll_back_failed_commit());  // at once, in case of a kill; the next transaction retries
   return done;
 }
 

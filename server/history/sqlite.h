@@ -44,7 +44,7 @@ class Statement {
   bool null_at(int column) const;
 
  private:
-  void keep(int code);
+  void record_error(int code);
 
   struct Finalize {
     void operator()(sqlite3_stmt* statement) const;
@@ -74,7 +74,7 @@ class Database {
   /// back before any other one is made.
   Status transaction(const std::function<Status()>& work);
   /// Takes back a commit whose sync failed, if there is one. Fails while that is not possible.
-  Status take_back_failed_commit();
+  Status roll_back_failed_commit();
 
  private:
   struct Close {

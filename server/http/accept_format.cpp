@@ -7,10 +7,10 @@ namespace pelage {
 FrameFormat accepted_format(std::string_view accept) {
   const AcceptList list(accept);
   FrameFormat best = FrameFormat::png;
-  double most = list.weight("image/png").value_or(0);
+  double max_weight = list.weight("image/png").value_or(0);
   const auto offer = [&](FrameFormat format, const char* name) {
-    const double liked = list.weight(name).value_or(0);
-    if (liked > most) best = format, most = liked;
+    const double weight = list.weight(name).value_or(0);
+    if (weight > max_weight) best = format, max_weight = weight;
   };
   offer(FrameFormat::jpeg, "image/jpeg");
   offer(FrameFormat::webp, "image/webp");

@@ -14,8 +14,7 @@ class AcceptList {
  public:
   explicit AcceptList(std::string_view header);
 
-  /// Returns a weight in [0, 1]; none if the header does not list the lower-case `name`. A wildcard is a name like
-  /// others.
+  /// Returns a weight in [0, 1]; none if the header does not list the lower-case `name`. A wildcard is a name, too.
   std::optional<double> weight(std::string_view name) const;
 
  private:

@@ -6,19 +6,19 @@ namespace pelage {
 
 ClientGate::Pass ClientGate::enter(const std::string& client) {
   const std::lock_guard lock(mutex_);
-  const auto found = held_by_.find(client);
-  if (held_ == all_ || (found != held_by_.end() && found->second == each_)) return {nullptr, {}};
+  const auto found = in_use_by_client_.find(client);
+  if (in_use_ == capacity_ || (found != in_use_by_client_.end() && found->second == per_client_)) return {nullptr, {}};
   Pass pass(this, client);
-  ++held_by_[client];
-  ++held_;
+  ++in_use_by_client_[client];
+  ++in_use_;
   return pass;
 }
 
 void ClientGate::leave(const std::string& client) {
   const std::lock_guard lock(mutex_);
-  const auto found = held_by_.find(client);
-  if (--found->second == 0) held_by_.erase(found);
-  --held_;
+  const auto found = in_use_by_client_.find(client);
+  if (--found->second == 0) in_use_by_client_.erase(found);
+  --in_use_;
 }
 
 std::string client_of(const httplib::Request& request) {

@@ -13,11 +13,11 @@ namespace pelage {
 /// Thread-safe.
 class ClientGate {
  public:
-  /// Admits `all` requests at a time, and `each` of one client. Choose `each` < `all`, so that no client locks others
-  /// out.
-  ClientGate(int all, int each) : all_(all), each_(each) {}
+  /// Admits `capacity` requests at a time, `per_client` of one client. With `per_client` < `capacity` no client locks
+  /// the others out.
+  ClientGate(int capacity, int per_client) : capacity_(capacity), per_client_(per_client) {}
 
-  /// Holds a place until it is destroyed. Converts to false if no place was left.
+  /// Holds a slot until it is destroyed. Converts to false if no slot was free.
   class Pass {
    public:
     Pass(ClientGate* gate, std::string client) : gate_(gate), client_(std::move(client)) {}
@@ -35,20 +35,19 @@ class ClientGate {
 
   [[nodiscard]] Pass enter(const std::string& client);
 
-  int all() const { return all_; }
-  int each() const { return each_; }
+  int capacity() const { return capacity_; }
+  int per_client() const { return per_client_; }
 
  private:
   void leave(const std::string& client);
 
-  const int all_, each_;
+  const int capacity_, per_client_;
   std::mutex mutex_;
-  int held_ = 0;
-  std::map<std::string, int> held_by_;
+  int in_use_ = 0;
+  std::map<std::string, int> in_use_by_client_;
 };
 
-/// Returns a key for the client of a request: its address and its Pelage-Author, as clients behind a proxy share one
-/// address.
+/// Returns a key for the client of a request: its address and, as clients behind a proxy share one, its Pelage-Author.
 std::string client_of(const httplib::Request& request);
 
 }  // namespace pelage

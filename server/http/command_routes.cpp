@@ -154,7 +154,7 @@ void post(httplib::Server& server, Service& service, const char* name, const Sce
           const Again& again = answer_change) {
   const std::string pattern = std::string("/v1/scenes/([^/]+)/") + name;
   add_post(server, pattern, [&service, handle, again](const Request& request, Response& response) {
-    const YieldGate::Turn turn = service.gate.go_first();
+    const YieldGate::Priority turn = service.gate.take_priority();
     const auto use_scene = [&](const auto& use) {
       with_scene(service, request, response, [&](const auto& scene) { use(*scene); });
     };

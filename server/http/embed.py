@@ -55,7 +55,7 @@ def main(assembler, table, *folders):
     for number, (folder, name) in enumerate(named):
         views = []
         for form, ending in FORMS.items():
-            path, symbol = folder / (name + ending), f"pelage_studio_{number}_{form}"
+            path, symbol = folder / (name + ending), f"pelage_embedded_{number}_{form}"
             if not path.is_file():
                 views.append("{}")
                 continue
@@ -69,8 +69,8 @@ def main(assembler, table, *folders):
     code.append('.section .note.GNU-stack,"",%progbits\n')
     pathlib.Path(assembler).write_text("".join(code), encoding="utf-8")
     pathlib.Path(table).write_text(
-        '#include "server/http/studio.h"\n\nextern "C" {\n' + "".join(declared) + "}\n\nnamespace pelage {\n\n"
-        "std::span<const StudioFile> studio_files() {\n  static const StudioFile files[] = {\n" + "".join(rows)
+        '#include "server/http/embedded_files.h"\n\nextern "C" {\n' + "".join(declared) + "}\n\nnamespace pelage {\n\n"
+        "std::span<const EmbeddedFile> embedded_files() {\n  static const EmbeddedFile files[] = {\n" + "".join(rows)
         + "  };\n  return files;\n}\n\n}  // namespace pelage\n", encoding="utf-8")
 
 

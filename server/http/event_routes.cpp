@@ -93,7 +93,7 @@ void follow(Service& service, const std::shared_ptr<Scene>& scene, const Request
   auto pass = service.streams.enter();
   if (!pass) {
     return reply_problem(response, failure(Code::unavailable, "Too many clients follow scenes.", "",
-                                           fmt::format("{}", service.streams.all())));
+                                           fmt::format("{}", service.streams.capacity())));
   }
   response.set_header("Cache-Control", "no-store");
   response.set_header("X-Accel-Buffering", "no");                            // nginx passes events on at once

@@ -24,7 +24,7 @@ Result<ExportRequest> export_request_of(const Request& request) {
 }
 
 /// Enters the gate, or waits up to 5 s for the previous export to leave it: a client has its whole file a moment before
-/// its place is free.
+/// its slot is free.
 Gate::Pass enter_soon(Gate& gate) {
   constexpr int tries = 100;
   constexpr std::chrono::milliseconds pause(50);
@@ -37,10 +37,11 @@ Gate::Pass enter_soon(Gate& gate) {
 
 /// Sends the file in chunks, and holds the pass until the last one.
 void send_file(ExportFile file, Gate::Pass pass, Response& response) {
-  const auto held = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
+  const auto shared = std::make_shared<std::pair<ExportFile, Gate::Pass>>(std::move(file), std::move(pass));
   response.set_content_provider(
-      held->first.about.bytes, held->first.content_type, [held](std::size_t, std::size_t, httplib::DataSink& sink) {
-        return held->first.write([&](std::string_view piece) { return sink.write(piece.data(), piece.size()); });
+      shared->first.about.bytes, shared->first.content_type,
+      [shared](std::size_t, std::size_t, httplib::DataSink& sink) {
+        return shared->first.write([&](std::string_view chunk) { return sink.write(chunk.data(), chunk.size()); });
       });
 }
 

@@ -80,14 +80,15 @@ Status wait_for_news(Service& service, const std::shared_ptr<Scene>& scene, cons
     return news.seen && service.pictures.has_better_picture(*scene, wanted, *news.seen);
   };
   if (news.seen) {
-    if (Status full = service.pictures.look(scene, wanted, *news.seen); !full.ok()) return full;
+    if (Status full = service.pictures.improve(scene, wanted, *news.seen); !full.ok()) return full;
     if (better_picture()) return {};
   }
   const Status nothing_new = failure(Code::precondition, "Nothing is newer.");
   if (news.wait_seconds == 0) return nothing_new;
   const auto pass = service.waiting.enter();
   if (!pass)
-    return failure(Code::unavailable, "Too many requests are waiting.", "", fmt::format("{}", service.waiting.all()));
+    return failure(Code::unavailable, "Too many requests are waiting.", "",
+                   fmt::format("{}", service.waiting.capacity()));
   const Stopwatch passed;
   while (!service.draining && !client.gone()) {
     const double left = news.wait_seconds - passed.seconds();
@@ -165,7 +166,7 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
   const Status status = wait_for_news(service, scene, *wanted, *news, client);
   const Revision revision = wanted->revision ? *wanted->revision : scene->revision();
   const int passes = known_passes(*wanted, *news);
-  const bool known = request.method != "POST" && none_match_names(request, revision, passes);
+  const bool known = request.method != "POST" && if_none_match_lists(request, revision, passes);
   if (known || status.code == Code::precondition) {
     response.status = 304;
     return set_etag(response, revision, passes);
@@ -181,8 +182,11 @@ void answer_frame(Service& service, const std::shared_ptr<Scene>& scene, const R
 void answer_cost(Service& service, const std::shared_ptr<Scene>& scene, const Result<FrameRequest>& wanted,
                  const Request& request, Response& response) {
   if (!wanted) return reply_problem(response, wanted.status());
-  if (request.has_param("after") || request.has_param("wait"))
-    return reply_problem(response, failure(Code::invalid, "A dry run waits for nothing.", "/after", "without dry_run"));
+  for (const char* name : {"after", "after_pass", "wait"}) {
+    if (request.has_param(name))
+      return reply_problem(
+          response, failure(Code::invalid, "A dry run waits for nothing.", std::string("/") + name, "without dry_run"));
+  }
   const Status there = wanted->revision ? scene->has_revision(*wanted->revision) : Status{};
   if (!there.ok()) return reply_problem(response, there);
   const ClientSocket client(request);

@@ -29,7 +29,7 @@ using httplib::Request;
 
 // A body a little over the limit is read to its end before it is refused, so that clients which send first and listen
 // later see the refusal; a longer one is cut off.
-constexpr std::uint64_t drained_bodies = 4;  // times the limit
+constexpr std::uint64_t drain_factor = 4;  // times the limit
 
 std::uint64_t body_limit_of(const Request& request) {
   return request.path.ends_with("/recipe") ? limits::recipe_bytes : limits::command_body_bytes;
@@ -106,7 +106,7 @@ std::optional<Refusal> refused_body(const Request& request) {
   if (request.method != "POST") {
     return refuse(400, Code::malformed, "A " + request.method + " has no body.", "Content-Length 0");
   }
-  if (const std::uint64_t limit = body_limit_of(request); length > drained_bodies * limit) {
+  if (const std::uint64_t limit = body_limit_of(request); length > drain_factor * limit) {
     return refuse(413, Code::too_large, fmt::format("The body has {} bytes.", length),
                   fmt::format("at most {} bytes", limit));
   }

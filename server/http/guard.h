@@ -30,16 +30,16 @@ class ClientSocket {
 
 class Gate {
  public:
-  explicit Gate(int places) : all_(places), places_(places) {}
+  explicit Gate(int slots) : capacity_(slots), free_slots_(slots) {}
 
-  /// Holds a place until it is destroyed. Converts to false if no place was left.
+  /// Holds a slot until it is destroyed. Converts to false if no slot was free.
   class Pass {
    public:
     explicit Pass(Gate* gate) : gate_(gate) {}
     Pass(Pass&& other) noexcept : gate_(std::exchange(other.gate_, nullptr)) {}
     Pass& operator=(Pass&&) = delete;
     ~Pass() {
-      if (gate_) ++gate_->places_;
+      if (gate_) ++gate_->free_slots_;
     }
     explicit operator bool() const { return gate_ != nullptr; }
 
@@ -48,18 +48,18 @@ class Gate {
   };
 
   [[nodiscard]] Pass enter() {
-    if (--places_ >= 0) return Pass(this);
-    ++places_;
+    if (--free_slots_ >= 0) return Pass(this);
+    ++free_slots_;
     return Pass(nullptr);
   }
 
-  /// Number of places in use, and of all places.
-  int held() const { return all_ - std::max(places_.load(), 0); }
-  int all() const { return all_; }
+  /// Number of slots in use, and of all slots.
+  int in_use() const { return capacity_ - std::max(free_slots_.load(), 0); }
+  int capacity() const { return capacity_; }
 
  private:
-  const int all_;
-  std::atomic<int> places_;
+  const int capacity_;
+  std::atomic<int> free_slots_;
 };
 
 // Checks of a request before anything else reads it.

@@ -9,12 +9,12 @@
 
 #include "base/limits.h"
 #include "server/http/accept_encoding.h"
+#include "server/http/embedded_files.h"
 #include "server/http/failures.h"
 #include "server/http/guard.h"
 #include "server/http/reply.h"
 #include "server/http/request_log.h"
 #include "server/http/routes.h"
-#include "server/http/studio.h"
 #include "server/http/transport/http_transport.h"
 
 namespace pelage {
@@ -55,7 +55,7 @@ void settle_framing(const Request& request) {
 /// Lets cpp-httplib compress texts by gzip only. Its brotli runs at the slowest setting: half a second for 230 kB, for
 /// which gzip takes 12 ms. Files of the studio are left alone, since they were compressed at build time.
 void settle_encoding(const Request& request) {
-  if (find_studio_file(request.path)) return;
+  if (find_embedded_file(request.path)) return;
   const auto chosen = choose_encoding(joined_header(request, "Accept-Encoding"), true, false);
   auto& owned = const_cast<Request&>(request);
   owned.headers.erase("Accept-Encoding");
@@ -108,7 +108,7 @@ struct HttpServer::Impl {
     add_pick_routes(server, service);
     add_event_routes(server, service);
     add_status_routes(server, service);
-    add_studio_routes(server);
+    add_embedded_file_routes(server);
   }
 
   void set_up_transport() {

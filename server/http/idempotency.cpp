@@ -21,7 +21,7 @@ std::optional<KeyedRequest> keyed_request_of(const httplib::Request& request) {
                       digest(request.method + "\n" + request.target + "\n" + request.body)};
 }
 
-Status other_request() { return failure(Code::invalid, "This Idempotency-Key came with another request before."); }
+Status key_reuse_refusal() { return failure(Code::invalid, "This Idempotency-Key came with another request before."); }
 
 void IdempotencyCache::answer(const httplib::Request& request, httplib::Response& response,
                               const std::function<void()>& run) {
@@ -46,7 +46,7 @@ bool IdempotencyCache::begin(const std::string& key, const Entry& entry, httplib
   if (fresh) return true;
   const Entry& known = found->second;
   if (known.fingerprint != entry.fingerprint) {
-    reply_problem(response, other_request());
+    reply_problem(response, key_reuse_refusal());
   } else if (known.running) {
     reply_problem(response, failure(Code::conflict, "The first request with this Idempotency-Key is still running."));
   } else {

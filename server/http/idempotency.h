@@ -21,7 +21,7 @@ inline constexpr const char* idempotency_header = "Idempotency-Key";
 std::optional<KeyedRequest> keyed_request_of(const httplib::Request& request);
 
 /// Returns the refusal (invalid) of a key that came with another request before.
-Status other_request();
+Status key_reuse_refusal();
 
 /// Caches the answers of the newest requests that succeeded and had an Idempotency-Key. Thread-safe.
 class IdempotencyCache {

@@ -34,7 +34,7 @@ void get_map(Service& service, const Scene& scene, const Request& request, Respo
   const auto wanted = decode_map_query(map_query_of(request));
   if (!wanted) return reply_problem(response, not_found_at(wanted.status(), "/field"));
   const Revision revision = scene.revision();
-  if (none_match_names(request, revision)) {
+  if (if_none_match_lists(request, revision)) {
     response.status = 304;
     return set_etag(response, revision);
   }

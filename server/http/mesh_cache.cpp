@@ -10,7 +10,7 @@ namespace pelage {
 namespace {
 
 /// Limits the number of triangles to the model's own: more give the same mesh.
-std::size_t kept_triangles(const SceneModel& model, int triangles) {
+std::size_t clamped_triangles(const SceneModel& model, int triangles) {
   return std::min(model.surface.mesh().triangles.size(), static_cast<std::size_t>(triangles));
 }
 
@@ -23,7 +23,7 @@ std::uint64_t MeshCache::new_process_stamp() {
 std::string MeshCache::etag_of(const SceneSnapshot& scene, const MeshRequest& wanted) const {
   const std::string fur = wanted.fur ? fmt::format(".{}", scene.revision) : "";
   return fmt::format("\"{:x}.{}.{}{}\"", process_stamp_, scene.model->id,
-                     kept_triangles(*scene.model, wanted.triangles), fur);
+                     clamped_triangles(*scene.model, wanted.triangles), fur);
 }
 
 std::shared_ptr<MeshCache::Entry> MeshCache::entry_of(const std::shared_ptr<const SceneModel>& model,
@@ -43,7 +43,7 @@ std::shared_ptr<MeshCache::Entry> MeshCache::entry_of(const std::shared_ptr<cons
 }
 
 Result<MeshCache::MeshPtr> MeshCache::mesh(const std::shared_ptr<const SceneModel>& model, int triangles) {
-  const std::shared_ptr<Entry> entry = entry_of(model, kept_triangles(*model, triangles));
+  const std::shared_ptr<Entry> entry = entry_of(model, clamped_triangles(*model, triangles));
   const std::lock_guard lock(entry->making);
   if (entry->mesh) return entry->mesh;
   const auto pass = simplifying_.enter();

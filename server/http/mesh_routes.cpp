@@ -21,7 +21,7 @@ void get_mesh(Service& service, const Scene& scene, const Request& request, Resp
   if (!wanted) return reply_problem(response, wanted.status());
   const SnapshotPtr now = scene.snapshot();
   const std::string etag = service.meshes.etag_of(*now, *wanted);
-  if (!none_match_names(request, etag)) {
+  if (!if_none_match_lists(request, etag)) {
     const Result<MeshCache::MeshPtr> mesh = service.meshes.mesh(now->model, wanted->triangles);
     if (!mesh) return reply_problem(response, mesh.status());
     response.set_content(file_of(**mesh, *now, *wanted), "model/gltf-binary");

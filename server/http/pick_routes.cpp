@@ -13,8 +13,8 @@ using httplib::Request;
 using httplib::Response;
 
 Result<PickAnswer> pick(Service& service, const std::shared_ptr<Scene>& scene, const PickRequest& wanted) {
-  if (!reaches_fur(wanted)) return scene->pick(wanted);
-  auto strand = seen_strand(service.frames, scene, wanted.view, wanted.pixel);
+  if (!asks_for_strand(wanted)) return scene->pick(wanted);
+  auto strand = strand_at_pixel(service.frames, scene, wanted.view, wanted.pixel);
   if (!strand) return strand.status();
   auto answer = scene->pick(wanted, *strand ? (*strand)->coat : "");
   if (answer) answer->strand = *strand;
@@ -32,9 +32,9 @@ Result<RecipeAnswer> expand(Service& service, const std::shared_ptr<Scene>& scen
   const auto wanted = decode_recipe(request.body);
   if (!wanted) return wanted.status();
   const ClientSocket client(request);
-  const auto pick_unless_gone = [&](const PickRequest& place) -> Result<PickAnswer> {
+  const auto pick_unless_gone = [&](const PickRequest& pick_request) -> Result<PickAnswer> {
     if (client.gone()) return failure(Code::unavailable, "The client has hung up.");
-    return pick(service, scene, place);
+    return pick(service, scene, pick_request);
   };
   const SceneSummary now = scene->summary();
   auto steps = expand_recipe(*wanted, {now.report.bounds, pick_unless_gone});

@@ -40,10 +40,11 @@ void reply_json(httplib::Response& response, int http_status, const std::string&
 void reply_uncompressed(httplib::Response& response, const char* content_type, std::string body) {
   response.status = 200;
   if (body.empty()) return response.set_content(body, content_type);  // a content provider of 0 bytes would never end
-  const auto whole = std::make_shared<const std::string>(std::move(body));
-  response.set_content_provider(
-      whole->size(), content_type,
-      [whole](size_t from, size_t size, httplib::DataSink& sink) { return sink.write(whole->data() + from, size); });
+  const auto shared_body = std::make_shared<const std::string>(std::move(body));
+  response.set_content_provider(shared_body->size(), content_type,
+                                [shared_body](size_t from, size_t size, httplib::DataSink& sink) {
+                                  return sink.write(shared_body->data() + from, size);
+                                });
 }
 
 /// Returns message, pointer and limit in one line.
@@ -117,7 +118,7 @@ std::string joined_header(const httplib::Request& request, const char* name) {
   return joined;
 }
 
-bool none_match_names(const httplib::Request& request, std::string_view etag) {
+bool if_none_match_lists(const httplib::Request& request, std::string_view etag) {
   const std::string header = request.get_header_value("If-None-Match");
   std::string_view left = header;
   while (!left.empty()) {
@@ -132,8 +133,8 @@ bool none_match_names(const httplib::Request& request, std::string_view etag) {
   return false;
 }
 
-bool none_match_names(const httplib::Request& request, Revision revision, int passes) {
-  return none_match_names(request, etag_of(revision, passes));
+bool if_none_match_lists(const httplib::Request& request, Revision revision, int passes) {
+  return if_none_match_lists(request, etag_of(revision, passes));
 }
 
 }  // namespace pelage

@@ -26,8 +26,7 @@ void reply_uncompressed(httplib::Response& response, const char* content_type, s
 void reply_problem(httplib::Response& response, const Status& status, int http_status);
 void reply_problem(httplib::Response& response, const Status& status);
 
-/// Turns a refusal of the parameter at `pointer`, which is a part of the path, into not_found. Returns others
-/// unchanged.
+/// Turns a refusal of the parameter at `pointer`, a part of the path, into not_found. Returns others unchanged.
 Status not_found_at(Status refusal, std::string_view pointer);
 
 /// Ends the connection after this answer, which must have a body. Needed wherever a request's body was not read: the
@@ -50,8 +49,8 @@ inline Result<bool> is_dry_run(const httplib::Request& request) { return flag_of
 std::string joined_header(const httplib::Request& request, const char* name);
 
 /// Returns whether If-None-Match is * or lists `etag`, given with its quotes; weak tags match (RFC 9110 13.1.2).
-bool none_match_names(const httplib::Request& request, std::string_view etag);
+bool if_none_match_lists(const httplib::Request& request, std::string_view etag);
 /// The same for a revision and the number of passes of a traced picture.
-bool none_match_names(const httplib::Request& request, Revision revision, int passes = 0);
+bool if_none_match_lists(const httplib::Request& request, Revision revision, int passes = 0);
 
 }  // namespace pelage

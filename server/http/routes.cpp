@@ -31,7 +31,7 @@ void run_once(Service& service, const httplib::Request& request, httplib::Respon
     const auto before = service.scenes.change_of_request(*keyed);
     if (!before) return reply_problem(response, before.status());
     if (!*before) return run();
-    if ((*before)->fingerprint != keyed->fingerprint) return reply_problem(response, other_request());
+    if ((*before)->fingerprint != keyed->fingerprint) return reply_problem(response, key_reuse_refusal());
     again(**before);
   });
 }
@@ -80,13 +80,14 @@ bool is_file_in(std::string_view folder, std::string_view path) {
 }
 
 /// Returns the part of the template after the scene's id, with {field} or {format} in the place of a name.
-std::string shape_in_scene(const std::string& rest) {
-  for (const auto& [folder, shape] : {std::pair<std::string_view, const char*>{"/maps/", "/maps/{field}"},
+std::string route_in_scene(const std::string& path_in_scene) {
+  for (const auto& [folder, route] : {std::pair<std::string_view, const char*>{"/maps/", "/maps/{field}"},
                                       std::pair<std::string_view, const char*>{"/export/", "/export/{format}"}}) {
-    const bool one = rest.size() > folder.size() && rest.find('/', folder.size()) == rest.npos;
-    if (one && rest.starts_with(folder)) return shape;
+    const bool one =
+        path_in_scene.size() > folder.size() && path_in_scene.find('/', folder.size()) == path_in_scene.npos;
+    if (one && path_in_scene.starts_with(folder)) return route;
   }
-  return rest;
+  return path_in_scene;
 }
 
 }  // namespace
@@ -130,13 +131,13 @@ RouteInfo route_of(const std::string& path) {
   if (path == "/docs" || path == "/docs/") return {"/docs", "GET, HEAD"};
   if (is_file_in("/assets/", path)) return {"/assets/{name}", "GET, HEAD"};
   if (is_file_in("/docs/", path)) return {"/docs/{name}", "GET, HEAD"};
-  std::string shape = path;
+  std::string route = path;
   if (path.starts_with(scenes) && path.size() > scenes.size()) {
     const std::size_t end = std::min(path.find('/', scenes.size()), path.size());
-    if (end > scenes.size()) shape = std::string(scenes) + "{id}" + shape_in_scene(path.substr(end));
+    if (end > scenes.size()) route = std::string(scenes) + "{id}" + route_in_scene(path.substr(end));
   }
   const auto found =
-      std::find_if(known.begin(), known.end(), [&](const RouteInfo& info) { return info.path == shape; });
+      std::find_if(known.begin(), known.end(), [&](const RouteInfo& info) { return info.path == route; });
   return found == known.end() ? RouteInfo{"other", ""} : *found;
 }
 

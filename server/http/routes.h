@@ -58,7 +58,7 @@ void add_mesh_routes(httplib::Server& server, Service& service);
 void add_export_routes(httplib::Server& server, Service& service);
 void add_event_routes(httplib::Server& server, Service& service);
 void add_status_routes(httplib::Server& server, Service& service);
-void add_studio_routes(httplib::Server& server);
+void add_embedded_file_routes(httplib::Server& server);
 
 /// Answers with a new scene and its Location (201), or with the problem.
 void reply_created(httplib::Response& response, const Result<std::shared_ptr<Scene>>& scene);

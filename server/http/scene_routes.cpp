@@ -31,7 +31,7 @@ void branch_scene(Service& service, const Scene& scene, const Request& request, 
 void describe_scene(const Scene& scene, const Request& request, Response& response) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
   const SceneSummary summary = scene.summary();
-  if (none_match_names(request, summary.revision)) {
+  if (if_none_match_lists(request, summary.revision)) {
     response.status = 304;
     return set_etag(response, summary.revision);
   }
@@ -43,7 +43,7 @@ void read_settings(const Scene& scene, const Request& request, Response& respons
   if (!revision) return reply_problem(response, revision.status());
   const auto settings = scene.settings(*revision);
   if (!settings) return reply_problem(response, settings.status());
-  if (none_match_names(request, settings->revision)) {
+  if (if_none_match_lists(request, settings->revision)) {
     response.status = 304;
     return set_etag(response, settings->revision);
   }

@@ -127,7 +127,7 @@ void add_status_routes(httplib::Server& server, Service& service) {
     const Gauges gauges{.scenes = service.scenes.count(),
                         .memory = service.scenes.memory(),
                         .ready = service.readiness().ok(),
-                        .streams = service.streams.held(),
+                        .streams = service.streams.in_use(),
                         .frames_drawn = service.frames.frames_drawn(),
                         .lost_contexts = service.frames.lost_contexts(),
                         .seconds_drawing = service.frames.seconds_drawing(),

@@ -28,8 +28,8 @@ struct Upload {
 bool is_groomed(const Scene& scene) { return !scene.effective_log().empty() || !scene.model()->subdivisions.empty(); }
 
 /// Loads the model without losing a groom, not even one made by commands that arrive while its bytes are read.
-Result<SceneSummary> load_and_keep(Service& service, Scene& scene, const ImportOptions& options,
-                                   std::span<const std::byte> bytes, const ExecuteOptions& execute) {
+Result<SceneSummary> load_preserving_groom(Service& service, Scene& scene, const ImportOptions& options,
+                                           std::span<const std::byte> bytes, const ExecuteOptions& execute) {
   ExecuteOptions as_now = execute;
   if (!as_now.if_match) as_now.if_match = scene.revision();
   if (is_groomed(scene)) return service.scenes.load_version(scene, options, bytes, execute);
@@ -50,7 +50,7 @@ void load_model(Service& service, Scene& scene, const Request& request, Response
   const std::uint64_t old_model = model_id_of(scene);
   const ExecuteOptions execute{.if_match = *if_match, .cancel = file.cancel};
   const auto summary = *discard ? service.scenes.load_model(scene, *options, file.bytes, execute)
-                                : load_and_keep(service, scene, *options, file.bytes, execute);
+                                : load_preserving_groom(service, scene, *options, file.bytes, execute);
   if (!summary) return reply_problem(response, summary.status());
   service.frames.forget(old_model);
   reply_json(response, 200, encode(*summary), summary->revision);
@@ -99,9 +99,9 @@ void load_guides(Service& service, Scene& scene, const Request& request, Respons
   reply_json(response, 200, encode(*answer), answer->revision);
 }
 
-void keep_picture(Service& service, Scene&, const Request& request, Response& response, const Upload& file) {
+void store_picture(Service& service, Scene&, const Request& request, Response& response, const Upload& file) {
   if (Status status = check_query(request, {}); !status.ok()) return reply_problem(response, status);
-  const auto answer = service.scenes.keep_picture(file.bytes, file.cancel);
+  const auto answer = service.scenes.store_picture(file.bytes, file.cancel);
   if (!answer) return reply_problem(response, answer.status());
   reply_json(response, 200, encode(*answer));
 }
@@ -120,11 +120,11 @@ Result<std::string> read_body(const Request& request, const httplib::ContentRead
                    fmt::format("at most {} bytes", max_bytes));
   }
   std::string bytes;
-  const bool whole = read([&](const char* data, std::size_t size) {
+  const bool complete = read([&](const char* data, std::size_t size) {
     bytes.append(data, size);
     return bytes.size() <= max_bytes;
   });
-  if (!whole) return failure(Code::malformed, "The body ended before its Content-Length.");
+  if (!complete) return failure(Code::malformed, "The body ended before its Content-Length.");
   return bytes;
 }
 
@@ -134,7 +134,7 @@ void with_body(Service& service, std::size_t max_bytes, const Request& request, 
   const auto pass = service.uploads.enter(client_of(request));
   if (!pass) {
     const std::string limit =
-        fmt::format("{} at a time, {} of one client", service.uploads.all(), service.uploads.each());
+        fmt::format("{} at a time, {} of one client", service.uploads.capacity(), service.uploads.per_client());
     reply_problem(response, failure(Code::unavailable, "Other uploads are being read.", "", limit));
     return close_after(response);
   }
@@ -192,7 +192,7 @@ void add_upload_routes(httplib::Server& server, Service& service) {
   put(server, service, "skin_texture", {limits::picture_bytes, load_skin_texture});
   put(server, service, "maps/([^/]+)", {limits::picture_bytes, load_map});
   put(server, service, "guides", {limits::guide_bytes, load_guides});
-  put(server, service, "pictures", {limits::picture_bytes, keep_picture});
+  put(server, service, "pictures", {limits::picture_bytes, store_picture});
 }
 
 }  // namespace pelage

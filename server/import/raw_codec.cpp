@@ -45,8 +45,7 @@ class Writer {
   std::string bytes_;
 };
 
-/// Reads values as Writer writes them. After the first missing value, everything reads as zero or empty and ok() is
-/// false.
+/// Reads values as Writer writes them. After the first missing one, all are zero or empty, and ok() is false.
 class Reader {
  public:
   explicit Reader(std::span<const std::byte> bytes) : left_(bytes) {}

@@ -70,7 +70,7 @@ Status check_extensions(const json& root) {
 void count_extensions(const json& root, RawModel& model) {
   for (const json& entry : list(root, "extensionsUsed")) {
     const std::string name = entry.is_string() ? entry.get<std::string>() : "?";
-    if (!is_known_extension(name)) model.lose("ignored_extensions", printable(name));
+    if (!is_known_extension(name)) model.add_loss("ignored_extensions", printable(name));
   }
 }
 
@@ -167,7 +167,7 @@ void count_textures(const json& root, RawModel& model) {
     std::string name = "texture " + std::to_string(number);
     for (const auto& [extension, source] : member(*texture, "extensions").items())
       name = gltf::name_of(list(root, "images"), index(source, "source"), "image") + ", " + printable(extension);
-    model.lose("missing_pictures", name);
+    model.add_loss("missing_pictures", name);
   }
 }
 
@@ -175,9 +175,9 @@ void count_pictures(const json& root, const Bundle& bundle, RawModel& model) {
   const json& images = list(root, "images");
   for (std::size_t i = 0; i < images.size(); ++i) {
     const std::string uri = text(images[i], "uri");
-    if (is_outside(uri) && !bundle.find(uri)) model.lose("missing_pictures", printable(uri));
+    if (is_outside(uri) && !bundle.find(uri)) model.add_loss("missing_pictures", printable(uri));
     if (uri.starts_with("data:") && !is_base64(uri))
-      model.lose("broken_pictures", gltf::name_of(images, static_cast<std::int64_t>(i), "image"));
+      model.add_loss("broken_pictures", gltf::name_of(images, static_cast<std::int64_t>(i), "image"));
   }
 }
 
@@ -187,9 +187,9 @@ void count_primitives(const json& mesh, RawModel& model) {
     const std::int64_t mode = index(primitive, "mode");
     const bool has_positions =
         primitive.is_object() && primitive.contains("attributes") && index(primitive["attributes"], "POSITION") >= 0;
-    if (!has_positions) model.lose("primitives_without_vertices", printable(text(mesh, "name")));
+    if (!has_positions) model.add_loss("primitives_without_vertices", printable(text(mesh, "name")));
     if (has_positions && mode >= 0 && mode < first_of_triangles)
-      model.lose("points_and_lines", printable(text(mesh, "name")));
+      model.add_loss("points_and_lines", printable(text(mesh, "name")));
   }
 }
 

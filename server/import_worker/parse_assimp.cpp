@@ -100,7 +100,7 @@ int MaterialReader::read_image(const std::string& path) {
   if (const auto bytes = bytes_of(path.c_str())) {
     index = add_picture(model_, *bytes, path);
   } else if (format_ == ModelFormat::tds) {  // gltf_check has counted those of glTF
-    model_.lose("missing_pictures", path);
+    model_.add_loss("missing_pictures", path);
   }
   return images_.emplace(path, index).first->second;
 }
@@ -146,7 +146,7 @@ class Collector {
       model_.corners.insert(model_.corners.end(), 3, no_position);
       for (int k = 0; k < 3; ++k) add_look(aiMesh(), 0, 0);
     }
-    for (const std::string& joint : mirroring_) model_.lose("mirrored_joints", gltf::printable(joint));
+    for (const std::string& joint : mirroring_) model_.add_loss("mirrored_joints", gltf::printable(joint));
   }
 
   Status walk(const aiNode& node, const glm::dmat4& parent, int depth = 0) {

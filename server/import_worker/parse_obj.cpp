@@ -112,7 +112,7 @@ class Materials {
     RawMaterial material{.name = gltf::printable(name)};
     const auto found = known_.find(name);
     if (found == known_.end()) {
-      if (!name.empty()) model_.lose("missing_materials", name);
+      if (!name.empty()) model_.add_loss("missing_materials", name);
       return material;
     }
     const tinyobj::material_t& source = found->second;
@@ -140,14 +140,14 @@ class Materials {
     bool any = false;
     for (std::string_view word = take_word(names); !word.empty(); word = take_word(names))
       any = read_file(std::string(word)) || any;
-    if (!any) model_.lose("missing_material_files", all);
+    if (!any) model_.add_loss("missing_material_files", all);
   }
 
   int picture(const std::string& name) {
     if (!bundle_.with_pictures()) return -1;
     if (const auto known = pictures_.find(name); known != pictures_.end()) return known->second;
     const std::string* bytes = bundle_.find(name);
-    if (!bytes) model_.lose("missing_pictures", name);
+    if (!bytes) model_.add_loss("missing_pictures", name);
     return pictures_[name] = bytes ? add_picture(model_, *bytes, name) : -1;
   }
 

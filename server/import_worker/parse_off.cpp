@@ -93,8 +93,7 @@ bool read_vertex(std::string_view line, const Header& header, OffVertex& vertex)
   return good;
 }
 
-/// Reads a face. Returns false if the line has fewer indices than it says. Indices of missing vertices become
-/// no_position.
+/// Reads a face. Returns false if the line has fewer indices than its count. Invalid indices become no_position.
 bool read_face(std::string_view line, RawModel& model) {
   const std::uint32_t size = to_index(take_word(line));
   if (size == no_position || size > line.size()) return false;

@@ -51,7 +51,7 @@ Result<SphericalHarmonics> read_environment(const std::string& bytes) {
 int add_picture(RawModel& model, std::string_view bytes, const std::string& name) {
   constexpr std::size_t max_texture_pixels = std::size_t{8192} * 8192;
   Result<Image> image = picture_files().decode_image(std::as_bytes(std::span(bytes)), max_texture_pixels);
-  if (!image.ok()) return model.lose("broken_pictures", name), -1;
+  if (!image.ok()) return model.add_loss("broken_pictures", name), -1;
   model.images.push_back({image->width, image->height, std::move(image->rgba)});
   return static_cast<int>(model.images.size()) - 1;
 }

@@ -1,5 +1,4 @@
-// Reads uploaded pictures: environments, skin textures, maps and a model's own pictures. Converts sRGB to linear
-// colours.
+// Reads uploaded pictures (environments, skin textures, maps, a model's own pictures), and converts sRGB to linear.
 #pragma once
 
 #include <cmath>
@@ -28,8 +27,7 @@ inline glm::vec3 srgb_to_linear(glm::vec3 colour) {
 // The functions that return a Result refuse (invalid, with the reason) bytes that are broken or of another format, and
 // pictures wider or higher than limits::picture_pixels.
 
-/// Returns the light of an equirectangular EXR or HDR; renderer/light/environment.h says which pixel is which
-/// direction.
+/// Returns the light of an equirectangular EXR or HDR, with the directions of renderer/light/environment.h.
 Result<SphericalHarmonics> read_environment(const std::string& bytes);
 
 /// Adds a PNG or JPEG to a model's pictures and returns its index; -1 if it is broken, of another format or larger than

@@ -133,11 +133,11 @@ struct PixelTriangle {
 
   /// Makes the triangle in the repeat of the picture that begins at `origin`.
   PixelTriangle(const UvCorners& uvs, glm::uvec3 corners, int size, glm::dvec2 origin) {
-    const auto place = [&](std::uint32_t k) {
+    const auto to_pixels = [&](std::uint32_t k) {
       const glm::dvec2 uv = glm::dvec2(uvs.corners[k].uv) - origin;
       return glm::dvec2(uv.x * size, (1 - uv.y) * size);
     };
-    a = place(corners.x), b = place(corners.y), c = place(corners.z);
+    a = to_pixels(corners.x), b = to_pixels(corners.y), c = to_pixels(corners.z);
     area = cross(b - a, c - a);
   }
   static double cross(glm::dvec2 p, glm::dvec2 q) { return p.x * q.y - p.y * q.x; }

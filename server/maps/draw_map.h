@@ -39,8 +39,8 @@ VertexList list_vertices(const Mesh& mesh, const FieldSet& fields, const MapRequ
 struct MapTargets {
   std::vector<Field> fields;                                // fields of the encoding, by rising number
   std::array<std::vector<glm::dvec4>, field_count> values;  // of those fields, for each vertex; may be out of range
-  std::vector<bool> keeps_direction;  // for `vector`: true if its length is 0, so that it has no direction; else empty
-  std::vector<bool> says_nothing;     // true for vertices outside the tile; empty if all are read
+  std::vector<bool> no_direction;  // for `vector`: true if its length is 0, so that it has no direction; else empty
+  std::vector<bool> outside_tile;  // true for vertices outside the tile; empty if all are read
 };
 
 /// Samples the picture bilinearly at every vertex; on seams it takes the mean over the islands. The mesh must have
@@ -51,7 +51,7 @@ MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, Ma
 
 /// Returns the luminance of the picture, [0, 1], at a position in [0, 1], v up: Rec. 709's weights of the file's own
 /// numbers.
-double luminance_at(const MapPicture& picture, glm::dvec2 place);
+double luminance_at(const MapPicture& picture, glm::dvec2 uv);
 
 /// Returns one channel of the picture at every vertex: the file's own numbers, clamped to [0, 1].
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel);

@@ -16,7 +16,7 @@ MapLayout value_layout(Field field, double scale, bool floats) {
   MapLayout layout;
   layout.channels = shape.channels;
   if (shape.channels == 4) {
-    layout.kinds = {ChannelKind::colour, ChannelKind::colour, ChannelKind::colour, ChannelKind::share};
+    layout.kinds = {ChannelKind::colour, ChannelKind::colour, ChannelKind::colour, ChannelKind::unit};
     layout.premultiplied = true;
     return layout;
   }
@@ -28,7 +28,7 @@ MapLayout value_layout(Field field, double scale, bool floats) {
 MapLayout fast_fur_layout(double scale, bool floats) {
   MapLayout layout;
   layout.channels = 4;
-  layout.kinds = {ChannelKind::part, ChannelKind::part, ChannelKind::share, ChannelKind::share};
+  layout.kinds = {ChannelKind::signed_unit, ChannelKind::signed_unit, ChannelKind::unit, ChannelKind::unit};
   layout.min = {-1, -1, 0, 0};
   layout.max.z = floats ? double{shape_of(Field::width).max} / scale : 1.0;
   layout.background = {0, 0, double{shape_of(Field::width).default_value} / scale,
@@ -46,28 +46,28 @@ MapLayout layout_of(Field field, MapEncoding encoding, double scale, bool floats
   if (encoding == MapEncoding::vector) {
     constexpr double boundless = std::numeric_limits<double>::infinity();
     layout.channels = 3;
-    layout.kinds.fill(ChannelKind::as_it_is);
+    layout.kinds.fill(ChannelKind::raw);
     layout.min = glm::dvec4(-boundless), layout.max = glm::dvec4(boundless);
     return layout;
   }
   layout.channels = 2;
-  layout.kinds.fill(ChannelKind::part);
+  layout.kinds.fill(ChannelKind::signed_unit);
   layout.min = glm::dvec4(-1);
   return layout;
 }
 
-double file_number(ChannelKind kind, double value, int bits) {
-  if (bits == 32) return kind == ChannelKind::part ? 0.5 + 0.5 * value : value;
+double encode_channel(ChannelKind kind, double value, int bits) {
+  if (bits == 32) return kind == ChannelKind::signed_unit ? 0.5 + 0.5 * value : value;
   const double max = bits == 8 ? 255 : 65535, middle = (max + 1) / 2;
-  if (kind == ChannelKind::part) return middle + std::round((middle - 1) * std::clamp(value, -1.0, 1.0));
-  const double held = std::clamp(value, 0.0, 1.0);
-  return std::round(max * (kind == ChannelKind::colour ? srgb_from_linear(held) : held));
+  if (kind == ChannelKind::signed_unit) return middle + std::round((middle - 1) * std::clamp(value, -1.0, 1.0));
+  const double clamped = std::clamp(value, 0.0, 1.0);
+  return std::round(max * (kind == ChannelKind::colour ? srgb_from_linear(clamped) : clamped));
 }
 
-double value_of(ChannelKind kind, double number, int bits) {
-  if (bits == 32) return kind == ChannelKind::part ? 2 * number - 1 : number;
+double decode_channel(ChannelKind kind, double number, int bits) {
+  if (bits == 32) return kind == ChannelKind::signed_unit ? 2 * number - 1 : number;
   if (kind == ChannelKind::colour) return linear_from_srgb(number);
-  if (kind != ChannelKind::part) return number;
+  if (kind != ChannelKind::signed_unit) return number;
   const double max = bits == 8 ? 255 : 65535, middle = (max + 1) / 2;
   return std::max((std::round(number * max) - middle) / (middle - 1), -1.0);
 }

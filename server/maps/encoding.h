@@ -52,10 +52,11 @@ std::size_t count_outside(const UvCorners& uvs);
 
 /// The encoding of a number in a file's channel.
 enum class ChannelKind {
-  share,     // unchanged; in 8 and 16 bits [0, 1]
-  part,      // -1 to 1 about the middle: floats (x + 1) / 2; n bits m + (m - 1) x with m = 2^(n-1), so that 0 is exact
-  colour,    // linear in floats, sRGB in 8 and 16 bits
-  as_it_is,  // floats only
+  unit,         // unchanged; in 8 and 16 bits [0, 1]
+  signed_unit,  // -1 to 1 about the middle: floats (x + 1) / 2; n bits m + (m - 1) x with m = 2^(n-1), so that 0 is
+                // exact
+  colour,       // linear in floats, sRGB in 8 and 16 bits
+  raw,          // floats only
 };
 
 /// The channels of a map, and their ranges before it is written.
@@ -73,8 +74,8 @@ MapLayout layout_of(Field field, MapEncoding encoding, double scale, bool floats
 
 /// Returns the number that encodes a value: for 8 and 16 bits rounded and clamped to the sample's range, for 32 bits
 /// the float.
-double file_number(ChannelKind kind, double value, int bits);
+double encode_channel(ChannelKind kind, double value, int bits);
 /// The inverse; `number` is a sample divided by its maximum, as in MapPicture.
-double value_of(ChannelKind kind, double number, int bits);
+double decode_channel(ChannelKind kind, double number, int bits);
 
 }  // namespace pelage

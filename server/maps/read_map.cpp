@@ -12,7 +12,7 @@ namespace {
 
 /// Returns the weighted sum of pixel(rgba) over the four taps.
 template <class Pixel>
-glm::dvec4 mixed(const MapPicture& picture, glm::vec2 uv, const Pixel& pixel) {
+glm::dvec4 sample_bilinear(const MapPicture& picture, glm::vec2 uv, const Pixel& pixel) {
   const Taps taps = taps_at(uv, picture.width, picture.height);
   glm::dvec4 sum(0);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -25,7 +25,7 @@ glm::dvec4 mixed(const MapPicture& picture, glm::vec2 uv, const Pixel& pixel) {
 glm::dvec4 decoded(const float* rgba, const MapLayout& layout, int bits) {
   glm::dvec4 value(0);
   for (int k = 0; k < layout.channels; ++k)
-    value[k] = value_of(layout.kinds[static_cast<std::size_t>(k)], rgba[k], bits);
+    value[k] = decode_channel(layout.kinds[static_cast<std::size_t>(k)], rgba[k], bits);
   if (layout.premultiplied && bits != 32) value = glm::dvec4(glm::dvec3(value) * value.w, value.w);
   return value;
 }
@@ -50,7 +50,7 @@ glm::dvec4 value_at_vertex(const UvCorners& uvs, std::uint32_t v, const MapPictu
   glm::dvec4 sum(0);
   const int count = for_each_corner(uvs, v, [&](const UvCorner& corner) {
     glm::dvec4 value =
-        mixed(picture, corner.uv, [&](const float* rgba) { return decoded(rgba, layout, picture.bits); });
+        sample_bilinear(picture, corner.uv, [&](const float* rgba) { return decoded(rgba, layout, picture.bits); });
     if (encoding != MapEncoding::value) {
       const glm::dvec2 turned = corner.from_uv(glm::dvec2(value));
       value.x = turned.x, value.y = turned.y;
@@ -66,7 +66,7 @@ std::vector<Field> fields_of(Field field, MapEncoding encoding) {
   return {field};
 }
 
-glm::dvec4 straight(glm::dvec4 colour) {
+glm::dvec4 unpremultiplied(glm::dvec4 colour) {
   return colour.w > 0 ? glm::dvec4(glm::dvec3(colour) / colour.w, colour.w) : glm::dvec4(0);
 }
 
@@ -76,7 +76,7 @@ void split_vector(glm::dvec3 strand, double scale, std::uint32_t v, MapTargets& 
   auto& directions = targets.values[static_cast<std::size_t>(Field::direction)];
   targets.values[static_cast<std::size_t>(Field::length)][v].x = length * scale;
   if (!(length > 0)) {
-    targets.keeps_direction[v] = true;
+    targets.no_direction[v] = true;
     return;
   }
   glm::dvec2 lean = glm::dvec2(strand) / length;
@@ -91,7 +91,7 @@ void split(glm::dvec4 value, const MapLayout& layout, MapEncoding encoding, doub
   if (encoding == MapEncoding::vector) return split_vector(glm::dvec3(value), scale, v, targets);
   const Field first = targets.fields.front();
   if (encoding == MapEncoding::value) {
-    of(first) = layout.premultiplied ? straight(value) : value * scale;
+    of(first) = layout.premultiplied ? unpremultiplied(value) : value * scale;
     return;
   }
   of(Field::direction) = glm::dvec4(value.x, value.y, 0, 0);
@@ -127,19 +127,19 @@ MapTargets read_map(const Mesh& mesh, const MapPicture& picture, Field field, Ma
   targets.fields = fields_of(field, encoding);
   for (const Field each : targets.fields)
     targets.values[static_cast<std::size_t>(each)].resize(mesh.positions.size(), glm::dvec4(0));
-  if (encoding == MapEncoding::vector) targets.keeps_direction.resize(mesh.positions.size(), false);
+  if (encoding == MapEncoding::vector) targets.no_direction.resize(mesh.positions.size(), false);
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v)
     split(value_at_vertex(uvs, v, picture, layout, encoding), layout, encoding, scale, v, targets);
   if (tile != 0) {
-    targets.says_nothing.resize(mesh.positions.size());
-    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) targets.says_nothing[v] = uvs.of_vertex(v).empty();
+    targets.outside_tile.resize(mesh.positions.size());
+    for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) targets.outside_tile[v] = uvs.of_vertex(v).empty();
   }
   return targets;
 }
 
-double luminance_at(const MapPicture& picture, glm::dvec2 place) {
+double luminance_at(const MapPicture& picture, glm::dvec2 uv) {
   const auto colour = [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); };
-  return std::clamp(luminance(glm::dvec3(mixed(picture, place, colour))), 0.0, 1.0);
+  return std::clamp(luminance(glm::dvec3(sample_bilinear(picture, uv, colour))), 0.0, 1.0);
 }
 
 std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, PictureChannel channel) {
@@ -152,8 +152,8 @@ std::vector<double> read_channel(const Mesh& mesh, const MapPicture& picture, Pi
   for (std::uint32_t v = 0; v < values.size(); ++v) {
     glm::dvec4 sum(0);
     const int count = for_each_corner(uvs, v, [&](const UvCorner& corner) {
-      sum +=
-          mixed(picture, corner.uv, [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); });
+      sum += sample_bilinear(picture, corner.uv,
+                             [](const float* rgba) { return glm::dvec4(rgba[0], rgba[1], rgba[2], rgba[3]); });
     });
     if (count > 0) values[v] = std::clamp(number(sum / static_cast<double>(count)), 0.0, 1.0);
   }

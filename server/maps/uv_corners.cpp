@@ -73,7 +73,7 @@ std::vector<Corner> sorted_corners(const Mesh& mesh) {
 }
 
 /// Sets the tangent space of a corner.
-void settle(UvCorner& corner, const Slope& slope, const Mesh& mesh) {
+void set_tangent_space(UvCorner& corner, const Slope& slope, const Mesh& mesh) {
   corner.side = slope.side;
   const dvec3 tangent(mesh.tangents[corner.vertex]), normal(mesh.normals[corner.vertex]);
   const dvec2 axis(glm::dot(slope.along_u, tangent), glm::dot(slope.along_u, glm::cross(normal, tangent)));
@@ -101,7 +101,7 @@ UvCorners make_uv_corners(const Mesh& mesh) {
       around.add(slopes[t]);
     }
     UvCorner& corner = all.corners.emplace_back(UvCorner{one.vertex, one.uv, {1, 0}, 1, false});
-    settle(corner, around.of_max(), mesh);
+    set_tangent_space(corner, around.of_max(), mesh);
     ++all.first[one.vertex + 1];
   }
   for (std::size_t v = 0; v + 1 < all.first.size(); ++v) all.first[v + 1] += all.first[v];
@@ -112,8 +112,8 @@ namespace {
 
 constexpr std::size_t min_passes = 48, max_passes = 2000;
 constexpr std::size_t max_corrections = 10'000'000;  // small models may take more than min_passes up to this
-constexpr double close_enough = 1e-6;                // relative to the value, or to 0.01 if that is larger
-constexpr double min_hold = 0.05;  // minimum of hold_of(); below it a correction would become too large
+constexpr double relative_tolerance = 1e-6;          // relative to the value, or to 0.01 if that is larger
+constexpr double min_squared_weights = 0.05;         // of covered pixels; below it a correction would become too large
 
 /// Merges taps of the same pixel by adding their weights.
 Taps merged(Taps taps) {
@@ -126,44 +126,46 @@ Taps merged(Taps taps) {
 }
 
 /// Returns the present value of a corner from its four pixels.
-double found(const Taps& taps, int channel, const MapImage& image) {
+double current_value(const Taps& taps, int channel, const MapImage& image) {
   double sum = 0;
   for (std::size_t i = 0; i < 4; ++i) sum += taps.weights[i] * image.at(taps.pixels[i])[channel];
   return sum;
 }
 
 /// Returns the sum of the squared weights of covered pixels, which tells how well a corner can be corrected.
-double hold_of(const Taps& taps, const MapImage& image) {
-  double hold = 0;
-  for (std::size_t i = 0; i < 4; ++i) hold += image.covered[taps.pixels[i]] * taps.weights[i] * taps.weights[i];
-  return hold;
+double covered_squared_weights(const Taps& taps, const MapImage& image) {
+  double squared_weights = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    squared_weights += image.covered[taps.pixels[i]] * taps.weights[i] * taps.weights[i];
+  return squared_weights;
 }
 
-/// Returns whether a pixel can still change in the direction of `miss`.
-bool is_free(const MapImage& image, std::size_t pixel, int channel, double miss, double min, double max) {
+/// Returns whether a pixel can still change in the direction of `residual`.
+bool is_free(const MapImage& image, std::size_t pixel, int channel, double residual, double min, double max) {
   const double value = image.at(pixel)[channel];
-  return image.covered[pixel] && (miss > 0 ? value < max : value > min);
+  return image.covered[pixel] && (residual > 0 ? value < max : value > min);
 }
 
 /// Changes the free pixels as little as possible so that the corner's equation holds. If some reach a limit, repeats
 /// that with those that are still free. Returns whether the equation did not hold before.
 bool project(const Taps& taps, double wanted, int channel, double min, double max, MapImage& image) {
-  const double enough = close_enough * std::max(std::abs(wanted), 0.01);
-  double miss = wanted - found(taps, channel, image);
-  if (std::abs(miss) <= enough) return false;
-  for (int round = 0; round < 4 && std::abs(miss) > enough; ++round) {
-    double hold = 0;  // sum of the squared weights of free pixels
+  const double tolerance = relative_tolerance * std::max(std::abs(wanted), 0.01);
+  double residual = wanted - current_value(taps, channel, image);
+  if (std::abs(residual) <= tolerance) return false;
+  for (int round = 0; round < 4 && std::abs(residual) > tolerance; ++round) {
+    double squared_weights = 0;  // sum of the squared weights of free pixels
     std::array<bool, 4> free{};
     for (std::size_t i = 0; i < 4; ++i) {
-      free[i] = is_free(image, taps.pixels[i], channel, miss, min, max);
-      if (free[i]) hold += taps.weights[i] * taps.weights[i];
+      free[i] = is_free(image, taps.pixels[i], channel, residual, min, max);
+      if (free[i]) squared_weights += taps.weights[i] * taps.weights[i];
     }
-    if (hold == 0) return true;
+    if (squared_weights == 0) return true;
     for (std::size_t i = 0; i < 4; ++i) {
       float& value = image.at(taps.pixels[i])[channel];
-      if (free[i]) value = static_cast<float>(std::clamp(value + miss * taps.weights[i] / hold, min, max));
+      if (free[i])
+        value = static_cast<float>(std::clamp(value + residual * taps.weights[i] / squared_weights, min, max));
     }
-    miss = wanted - found(taps, channel, image);
+    residual = wanted - current_value(taps, channel, image);
   }
   return true;
 }
@@ -180,7 +182,7 @@ void fit_corners(const UvCorners& uvs, std::span<const glm::vec4> values, glm::d
     for (std::size_t k = 0; k < uvs.corners.size(); ++k) {
       if (!uvs.corners[k].mapped) continue;
       const Taps taps = merged(taps_at(uvs.corners[k].uv, image.size, image.size));
-      if (hold_of(taps, image) < min_hold) continue;
+      if (covered_squared_weights(taps, image) < min_squared_weights) continue;
       for (int c = 0; c < image.channels; ++c) moved = project(taps, values[k][c], c, min[c], max[c], image) || moved;
     }
   }
@@ -199,14 +201,14 @@ glm::ivec2 square_of(const UvCorners& uvs, glm::uvec3 t) {
 
 glm::ivec2 square_of(int udim) { return {(udim - first_udim) % udims_of_row, (udim - first_udim) / udims_of_row}; }
 
-/// Returns the corners in `kept`, moved by `shift`.
-UvCorners chosen(const UvCorners& uvs, const std::vector<bool>& kept, glm::vec2 shift) {
+/// Returns the corners in `selected`, moved by `shift`.
+UvCorners chosen(const UvCorners& uvs, const std::vector<bool>& selected, glm::vec2 shift) {
   UvCorners chosen;
   std::size_t corner = 0;
   for (std::uint32_t vertex = 0; vertex + 1 < uvs.first.size(); ++vertex) {
     chosen.first.push_back(static_cast<std::uint32_t>(chosen.corners.size()));
     for (; corner < uvs.first[vertex + 1]; ++corner) {
-      if (!kept[corner]) continue;
+      if (!selected[corner]) continue;
       chosen.corners.push_back(uvs.corners[corner]);
       chosen.corners.back().uv += shift;
     }
@@ -221,15 +223,15 @@ UvCorners in_udim(UvCorners uvs, int tile) {
   if (tile == 0) return uvs;
   const glm::ivec2 square = square_of(tile);
   std::vector<glm::uvec3> triangles;
-  std::vector<bool> kept(uvs.corners.size(), false);
+  std::vector<bool> selected(uvs.corners.size(), false);
   for (const glm::uvec3 t : uvs.of_triangle) {
     if (square_of(uvs, t) != square) continue;
     triangles.push_back(t);
-    kept[t.x] = kept[t.y] = kept[t.z] = true;
+    selected[t.x] = selected[t.y] = selected[t.z] = true;
   }
-  UvCorners inside = chosen(uvs, kept, -glm::vec2(square));
+  UvCorners inside = chosen(uvs, selected, -glm::vec2(square));
   std::vector<std::uint32_t> number(uvs.corners.size());
-  for (std::uint32_t k = 0, next = 0; k < kept.size(); ++k) number[k] = kept[k] ? next++ : 0;
+  for (std::uint32_t k = 0, next = 0; k < selected.size(); ++k) number[k] = selected[k] ? next++ : 0;
   for (const glm::uvec3 t : triangles) inside.of_triangle.emplace_back(number[t.x], number[t.y], number[t.z]);
   return inside;
 }

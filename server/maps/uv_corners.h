@@ -38,8 +38,7 @@ struct UvCorners {
   }
 };
 
-/// Returns the corners of the triangles whose centres are in a UDIM tile, moved to [0, 1]; all, unchanged, if `tile` is
-/// 0.
+/// Returns the corners of triangles whose centres are in a UDIM tile, moved to [0, 1]; all, unchanged, if `tile` is 0.
 UvCorners in_udim(UvCorners uvs, int tile);
 
 /// Returns the UDIM tiles of the centres of triangles, rising. Squares without a UDIM number are left out.

@@ -36,68 +36,68 @@ Spring spring_of(const Wind& wind, double length, double stiffness) {
   return {{glm::two_pi<double>() * wind.frequency * std::sqrt(strength), wind.damping}, lean_per_speed / strength};
 }
 
-glm::dvec2 bent(glm::dvec2 still, glm::dvec2 offset) {
-  const glm::dvec2 sum = still + offset;
-  const double knee = glm::length(still), length = glm::length(sum), room = 1 - knee;
+glm::dvec2 offset_direction(glm::dvec2 rest_direction, glm::dvec2 offset) {
+  const glm::dvec2 sum = rest_direction + offset;
+  const double knee = glm::length(rest_direction), length = glm::length(sum), headroom = 1 - knee;
   if (length <= knee || length == 0) return sum;
-  const double held = room > 0 ? knee + room * std::tanh((length - knee) / room) : 1;
-  return held / length * sum;
+  const double compressed = headroom > 0 ? knee + headroom * std::tanh((length - knee) / headroom) : 1;
+  return compressed / length * sum;
 }
 
 BodyAcceleration acceleration_of(std::function<RigidPose(double time)> pose, std::span<const glm::vec3> positions,
                                  double step) {
   return [pose = std::move(pose), positions, step](std::uint32_t vertex, double time) {
     const RigidPose now = pose(time), before = pose(time - step), after = pose(time + step);
-    const glm::dvec3 place(positions[vertex]);
-    const auto at = [&](const RigidPose& there) { return there.turn * place + there.position; };
-    return glm::transpose(now.turn) * ((at(before) - 2.0 * at(now) + at(after)) / (step * step));
+    const glm::dvec3 position(positions[vertex]);
+    const auto at = [&](const RigidPose& there) { return there.rotation * position + there.position; };
+    return glm::transpose(now.rotation) * ((at(before) - 2.0 * at(now) + at(after)) / (step * step));
   };
 }
 
 namespace {
 
 /// The two vectors along the skin in which a direction is given.
-struct Plane2 {
+struct TangentPlane {
   glm::dvec3 tangent, bitangent;
-  glm::dvec2 part(glm::dvec3 vector) const { return {glm::dot(vector, tangent), glm::dot(vector, bitangent)}; }
+  glm::dvec2 project(glm::dvec3 vector) const { return {glm::dot(vector, tangent), glm::dot(vector, bitangent)}; }
 };
 
 /// Returns the sum of the responses to the mean wind and to each wave, in closed form.
-glm::dvec2 wind_offset(const WindField& field, const Spring& spring, const Plane2& plane, glm::dvec3 position,
+glm::dvec2 wind_offset(const WindField& field, const Spring& spring, const TangentPlane& plane, glm::dvec3 position,
                        double time) {
-  glm::dvec2 sum = plane.part(field.mean);
+  glm::dvec2 sum = plane.project(field.mean);
   for (const WindWave& wave : field.waves) {
     const double angle = wave.rate * time - (glm::dot(wave.number, position) + wave.phase);
     const Response answer = response(spring.oscillator, wave.rate);
-    sum += plane.part(wave.amplitude) * (answer.real * std::cos(angle) - answer.imaginary * std::sin(angle));
+    sum += plane.project(wave.amplitude) * (answer.real * std::cos(angle) - answer.imaginary * std::sin(angle));
   }
   return spring.lean * sum;
 }
 
 /// Returns the weight of a motion `seconds` ago: 1 in the last half of the warm-up, and before it a smooth fall to 0.
-double counts_after(double seconds) {
+double influence_after(double seconds) {
   const double share = std::clamp(2 * seconds / warm_up_seconds - 1, 0.0, 1.0);
   return 1 - share * share * (3 - 2 * share);
 }
 
 /// Returns the response to a force per mass of -acceleration / length that is constant over each step; exact for each
 /// step.
-glm::dvec2 body_offset(const BodyMotion& body, const Spring& spring, double length, const Plane2& plane,
+glm::dvec2 body_offset(const BodyMotion& body, const Spring& spring, double length, const TangentPlane& plane,
                        std::uint32_t vertex, double time) {
   glm::dvec2 sum(0);
   double answered = 0;
   for (int k = 0; k * body.step < warm_up_seconds; ++k) {
     const double middle = (k + 0.5) * body.step, before = answered;
     answered = step_response(spring.oscillator, (k + 1) * body.step);
-    const double share = (answered - before) * counts_after(middle);
-    if (share != 0) sum += share * plane.part(body.acceleration(vertex, time - middle));
+    const double share = (answered - before) * influence_after(middle);
+    if (share != 0) sum += share * plane.project(body.acceleration(vertex, time - middle));
   }
   return -1 / (spring.oscillator.rate * spring.oscillator.rate * length) * sum;
 }
 
 }  // namespace
 
-std::vector<glm::vec2> swayed(const StillFur& fur, const Wind& wind, double time, const BodyMotion* body) {
+std::vector<glm::vec2> swayed(const RestFur& fur, const Wind& wind, double time, const BodyMotion* body) {
   assert(!body || (body->step >= 1e-3 && body->step <= 1));
   const WindField field = make_wind(wind);
   std::vector<glm::vec2> moved(fur.direction.begin(), fur.direction.end());
@@ -106,10 +106,10 @@ std::vector<glm::vec2> swayed(const StillFur& fur, const Wind& wind, double time
     if (!(length > 0)) return;
     const double stiffness = fur.stiffness.empty() ? 1 : static_cast<double>(fur.stiffness[v]);
     const Spring spring = spring_of(wind, length, stiffness);
-    const Plane2 plane{fur.tangents[v], glm::cross(fur.normals[v], fur.tangents[v])};
+    const TangentPlane plane{fur.tangents[v], glm::cross(fur.normals[v], fur.tangents[v])};
     glm::dvec2 offset = wind_offset(field, spring, plane, fur.positions[v], time);
     if (body) offset += body_offset(*body, spring, length, plane, v, time);
-    moved[v] = stored_direction(bent(fur.direction[v], offset));
+    moved[v] = stored_direction(offset_direction(fur.direction[v], offset));
   };
   constexpr std::uint32_t run = 512;
   const auto count = static_cast<std::uint32_t>(moved.size());

@@ -31,8 +31,7 @@ struct Response {
 };
 Response response(const Oscillator& oscillator, double w);
 
-/// Returns the position of the oscillator, which was at rest at 0, `seconds` after a force of 1 set in. It converges to
-/// 1.
+/// Returns the position of the oscillator `seconds` after a force of 1 set in, from rest at 0. It converges to 1.
 double step_response(const Oscillator& oscillator, double seconds);
 
 /// The fur at a vertex: a pendulum with a spring of the given stiffness, so that its rate is proportional to the root
@@ -45,8 +44,8 @@ struct Spring {
 Spring spring_of(const Wind& wind, double length, double stiffness);
 
 /// Returns the sum of a direction of the field, of length [0, 1], and an offset of any length. A sum that is longer
-/// than `still` is compressed smoothly into the unit disc. Returns `still` for no offset.
-glm::dvec2 bent(glm::dvec2 still, glm::dvec2 offset);
+/// than `rest_direction` is compressed smoothly into the unit disc. Returns `rest_direction` for no offset.
+glm::dvec2 offset_direction(glm::dvec2 rest_direction, glm::dvec2 offset);
 
 /// Returns the acceleration of the skin at a vertex, sizes per second squared, in the coordinates of the vertex's
 /// normal and tangent, which rotate with the body. Called from several threads.
@@ -60,9 +59,9 @@ struct BodyMotion {
   double step = 1.0 / 60;  // seconds, [1/1000, 1]; each step has the acceleration at its middle
 };
 
-/// The pose of a rigid body: a point p of the mesh is at turn * p + position, where turn is a rotation.
+/// The pose of a rigid body: a point p of the mesh is at rotation * p + position.
 struct RigidPose {
-  glm::dmat3 turn{1};
+  glm::dmat3 rotation{1};
   glm::dvec3 position{0};
 };
 /// Returns the acceleration of a rigid body, by second differences over `step` seconds. The positions must outlive it.
@@ -70,7 +69,7 @@ BodyAcceleration acceleration_of(std::function<RigidPose(double time)> pose, std
                                  double step);
 
 /// Views of the fur at rest, by vertex.
-struct StillFur {
+struct RestFur {
   std::span<const glm::vec3> positions, normals, tangents;
   std::span<const glm::vec2> direction;  // in (tangent, cross(normal, tangent)), of length [0, 1]
   std::span<const float> length;         // sizes
@@ -78,11 +77,11 @@ struct StillFur {
 };
 
 /// Returns whether there is any wind.
-inline bool blows(const Wind& wind) { return wind.speed > 0; }
+inline bool has_wind(const Wind& wind) { return wind.speed > 0; }
 
 /// Returns the direction field at `time` (Wind::time is ignored): deterministic at any number of threads and
 /// independent of earlier calls; of length [0, 1] and finite for all inputs in their ranges. Only the lean changes, not
 /// the length. A vertex costs about 2.3 us of a core for the wind, and .1 us for each step of the body's warm-up.
-std::vector<glm::vec2> swayed(const StillFur& fur, const Wind& wind, double time, const BodyMotion* body = nullptr);
+std::vector<glm::vec2> swayed(const RestFur& fur, const Wind& wind, double time, const BodyMotion* body = nullptr);
 
 }  // namespace pelage

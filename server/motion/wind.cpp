@@ -14,22 +14,22 @@ constexpr int gust_waves = 12, turbulence_waves = 28;
 constexpr double shortest_gust = 4, longest_gust = 16;  // wavelengths, in scales of the turbulence
 constexpr double shortest_eddy = 0.25;                  // wavelength, relative to the largest
 constexpr double gust_spread = 0.45;                    // maximum angle between gust and wind, radians
-constexpr double gust_ageing = 0.1;                     // maximum deviation of the phase speed, over the wind's
-constexpr double eddy_ageing = 0.4;
+constexpr double gust_speed_deviation = 0.1;            // maximum deviation of the phase speed, over the wind's
+constexpr double eddy_speed_deviation = 0.4;
 
 /// Returns a unit vector, uniformly distributed over the sphere.
-glm::dvec3 any_direction(Random& random) {
-  const double z = random.uniform(-1, 1), angle = random.uniform(0, two_pi), across = std::sqrt(1 - z * z);
-  return {across * std::cos(angle), across * std::sin(angle), z};
+glm::dvec3 random_direction(Random& random) {
+  const double z = random.uniform(-1, 1), angle = random.uniform(0, two_pi), orthogonal_part = std::sqrt(1 - z * z);
+  return {orthogonal_part * std::cos(angle), orthogonal_part * std::sin(angle), z};
 }
 
 /// Returns the component of a vector orthogonal to a unit vector, normalised; any orthogonal unit vector if it
 /// vanishes.
-glm::dvec3 across(glm::dvec3 vector, glm::dvec3 along) {
+glm::dvec3 orthogonal_part(glm::dvec3 vector, glm::dvec3 along) {
   const glm::dvec3 left = vector - glm::dot(vector, along) * along;
   const double length = glm::length(left);
   if (length > 1e-6) return left / length;
-  return across(std::abs(along.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), along);
+  return orthogonal_part(std::abs(along.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0), along);
 }
 
 /// Returns wavelength i of count: a random one in its band. Bands of equal ratios run from the longest to the shortest.
@@ -37,11 +37,12 @@ double wavelength(int i, int count, double longest, double shortest, Random& ran
   return longest * std::pow(shortest / longest, (i + random.uniform()) / count);
 }
 
-WindWave wave_along(glm::dvec3 way, double length, double ageing, glm::dvec3 mean, double speed, Random& random) {
+WindWave wave_along(glm::dvec3 direction, double length, double speed_deviation, glm::dvec3 mean, double speed,
+                    Random& random) {
   WindWave wave;
   const double number = two_pi / length;
-  wave.number = number * way;
-  wave.rate = glm::dot(wave.number, mean) + ageing * number * speed * random.uniform(-1, 1);
+  wave.number = number * direction;
+  wave.rate = glm::dot(wave.number, mean) + speed_deviation * number * speed * random.uniform(-1, 1);
   wave.phase = random.uniform(0, two_pi);
   return wave;
 }
@@ -53,8 +54,9 @@ void add_gusts(WindField& field, const Wind& wind, glm::dvec3 along, double stre
     const double length =
         wavelength(i, gust_waves, longest_gust * wind.turbulence_scale, shortest_gust * wind.turbulence_scale, random);
     const double angle = gust_spread * random.uniform(-1, 1);
-    const glm::dvec3 way = std::cos(angle) * along + std::sin(angle) * across(any_direction(random), along);
-    WindWave wave = wave_along(way, length, gust_ageing, field.mean, wind.speed, random);
+    const glm::dvec3 direction =
+        std::cos(angle) * along + std::sin(angle) * orthogonal_part(random_direction(random), along);
+    WindWave wave = wave_along(direction, length, gust_speed_deviation, field.mean, wind.speed, random);
     wave.amplitude = strength * std::sqrt(2.0 / gust_waves) * along;
     field.waves.push_back(wave);
   }
@@ -68,10 +70,10 @@ void add_turbulence(WindField& field, const Wind& wind, double strength) {
   for (int i = 0; i < turbulence_waves; ++i) {
     const double length =
         wavelength(i, turbulence_waves, wind.turbulence_scale, shortest_eddy * wind.turbulence_scale, random);
-    const glm::dvec3 way = any_direction(random);
-    WindWave wave = wave_along(way, length, eddy_ageing, field.mean, wind.speed, random);
+    const glm::dvec3 direction = random_direction(random);
+    WindWave wave = wave_along(direction, length, eddy_speed_deviation, field.mean, wind.speed, random);
     const double amplitude = std::cbrt(length / wind.turbulence_scale);
-    wave.amplitude = amplitude * across(any_direction(random), way);
+    wave.amplitude = amplitude * orthogonal_part(random_direction(random), direction);
     energy += 0.5 * amplitude * amplitude;
     field.waves.push_back(wave);
   }

@@ -12,7 +12,7 @@ namespace pelage {
 
 namespace {
 
-glm::dvec2 turned(glm::dvec2 v, double angle) {
+glm::dvec2 rotated(glm::dvec2 v, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
@@ -33,7 +33,7 @@ class ExponentialMap {
       : mesh_(mesh),
         patch_(patch),
         neighbours_(neighbours),
-        turn_(patch.vertices.size(), 0),
+        tangent_angles_(patch.vertices.size(), 0),
         placed_(patch.vertices.size(), false),
         distance_(patch.vertices.size(), std::numeric_limits<double>::infinity()) {}
 
@@ -72,18 +72,18 @@ class ExponentialMap {
   /// Places a vertex at the mean of the predictions of its placed neighbours, with larger weights for nearer ones; the
   /// seed, which has none, stays at the origin.
   void predict(std::uint32_t v) {
-    glm::dvec2 place(0), heading(0);
+    glm::dvec2 uv_sum(0), heading(0);
     double weights = 0;
     for (const std::uint32_t from : neighbours_.of(v)) {
       if (!placed_[from]) continue;
       const double weight = 1 / std::max(glm::distance(position(v), position(from)), 1e-12);
-      place += weight * (patch_.uv[from] + step(from, v));
-      heading += weight * turned({1, 0}, turn_[from] - turn_between(from, v));
+      uv_sum += weight * (patch_.uv[from] + step(from, v));
+      heading += weight * rotated({1, 0}, tangent_angles_[from] - transport_angle(from, v));
       weights += weight;
     }
     if (!(weights > 0)) return;
-    patch_.uv[v] = place / weights;
-    turn_[v] = std::atan2(heading.y, heading.x);
+    patch_.uv[v] = uv_sum / weights;
+    tangent_angles_[v] = std::atan2(heading.y, heading.x);
   }
 
   /// Returns the edge projected to the tangent plane of its start, at its full length, in the plane of the map.
@@ -92,11 +92,11 @@ class ExponentialMap {
     const glm::dvec2 flat(glm::dot(edge, t), glm::dot(edge, glm::cross(normal(from), t)));
     const double length = glm::length(flat);
     if (!(length > 0)) return glm::dvec2(0);
-    return turned(flat * (glm::length(edge) / length), turn_[from]);
+    return rotated(flat * (glm::length(edge) / length), tangent_angles_[from]);
   }
 
   /// Returns the angle of the tangent of `from`, transported along the edge, in the frame of `to`.
-  double turn_between(std::uint32_t from, std::uint32_t to) const {
+  double transport_angle(std::uint32_t from, std::uint32_t to) const {
     const glm::dvec3 brought = transported(tangent(from), normal(from), normal(to));
     return std::atan2(glm::dot(brought, glm::cross(normal(to), tangent(to))), glm::dot(brought, tangent(to)));
   }
@@ -104,7 +104,7 @@ class ExponentialMap {
   const Mesh& mesh_;
   FlatPatch& patch_;
   const Adjacency& neighbours_;
-  std::vector<double> turn_;  // for each vertex: angle of its tangent on the map
+  std::vector<double> tangent_angles_;  // for each vertex: angle of its tangent on the map
   std::vector<bool> placed_;
   std::vector<double> distance_;
 };
@@ -154,7 +154,7 @@ class RigidFit {
     }
     const auto n = static_cast<int>(patch.vertices.size());
     // Without this anchor the positions are free to drift, and parts that touch nowhere make the system singular.
-    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, hold);
+    for (int i = 0; i < n; ++i) entries.emplace_back(i, i, anchor);
     Eigen::SparseMatrix<double> matrix(n, n);
     matrix.setFromTriplets(entries.begin(), entries.end());
     solver_.compute(matrix);
@@ -166,21 +166,21 @@ class RigidFit {
     const auto n = static_cast<Eigen::Index>(patch_.vertices.size());
     Eigen::MatrixX2d right(n, 2);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const glm::dvec2 uv = hold * patch_.uv[static_cast<std::size_t>(i)];
+      const glm::dvec2 uv = anchor * patch_.uv[static_cast<std::size_t>(i)];
       right.row(i) << uv.x, uv.y;
     }
-    for (std::size_t t = 0; t < flat_.size(); ++t) add_wishes(t, right);
-    const Eigen::MatrixX2d places = solver_.solve(right);
-    if (!places.allFinite()) return;
-    for (Eigen::Index i = 0; i < n; ++i) patch_.uv[static_cast<std::size_t>(i)] = {places(i, 0), places(i, 1)};
+    for (std::size_t t = 0; t < flat_.size(); ++t) add_targets(t, right);
+    const Eigen::MatrixX2d solution = solver_.solve(right);
+    if (!solution.allFinite()) return;
+    for (Eigen::Index i = 0; i < n; ++i) patch_.uv[static_cast<std::size_t>(i)] = {solution(i, 0), solution(i, 1)};
   }
 
  private:
-  static constexpr double hold = 1e-7;
+  static constexpr double anchor = 1e-7;
 
   /// Adds the target differences of positions to the right-hand side: the sides of triangle t, rotated as the map
   /// rotates the triangle.
-  void add_wishes(std::size_t t, Eigen::MatrixX2d& right) const {
+  void add_targets(std::size_t t, Eigen::MatrixX2d& right) const {
     const FlatTriangle& flat = flat_[t];
     const glm::uvec3& v = patch_.triangles[t];
     double cosine = 0, sine = 0;
@@ -241,7 +241,7 @@ void align(const Mesh& mesh, FlatPatch& patch) {
   }
   const double scale = area > 0 && flat_area > 0 ? std::clamp(std::sqrt(area / flat_area), 0.8, 1.25) : 1;
   const double angle = glm::length(heading) > 1e-9 * area ? -std::atan2(heading.y, heading.x) : 0;
-  for (glm::dvec2& uv : patch.uv) uv = scale * turned(uv, angle);
+  for (glm::dvec2& uv : patch.uv) uv = scale * rotated(uv, angle);
 }
 
 /// Returns the index in the patch of a vertex of the mesh.
@@ -251,7 +251,7 @@ std::uint32_t index_of(const FlatPatch& patch, std::uint32_t vertex) {
 }
 
 /// Returns the triangles with their vertices as a patch, with all positions at the origin.
-FlatPatch without_places(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+FlatPatch unplaced_patch(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   FlatPatch patch;
   for (const std::uint32_t t : triangles) {
     for (int k = 0; k < 3; ++k) patch.vertices.push_back(mesh.triangles[t][k]);
@@ -271,7 +271,7 @@ FlatPatch without_places(const Mesh& mesh, std::span<const std::uint32_t> triang
 FlatPatch flatten(const Mesh& mesh, std::span<const std::uint32_t> triangles, std::uint32_t seed) {
   constexpr int iterations = 12;
   constexpr double rigid = 0.002;
-  FlatPatch patch = without_places(mesh, triangles);
+  FlatPatch patch = unplaced_patch(mesh, triangles);
   const Adjacency neighbours = vertex_neighbours(patch.triangles, patch.vertices.size());
   ExponentialMap(mesh, neighbours, patch).place_all(index_of(patch, seed));
   if (is_like_a_surface(neighbours) && !is_rigid(mesh, patch, rigid)) {

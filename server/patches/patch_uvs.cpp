@@ -63,29 +63,29 @@ double twice_uv_area(const Mesh& mesh, std::uint32_t t) {
 /// Returns the island as a patch in sizes. A vertex with several texture coordinates occurs several times.
 FlatPatch flat_island(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, double scale, bool mirrored) {
   using Key = std::tuple<std::uint32_t, float, float>;
-  std::map<Key, std::uint32_t> places;
+  std::map<Key, std::uint32_t> indices;
   const auto key_of = [&](std::uint32_t t, std::uint32_t k) {
     const glm::vec2 uv = uv_at(mesh, t, k);
     return Key(mesh.triangles[t][static_cast<int>(k)], uv.x, uv.y);
   };
   for (const std::uint32_t t : triangles) {
-    for (std::uint32_t k = 0; k < 3; ++k) places.emplace(key_of(t, k), 0u);
+    for (std::uint32_t k = 0; k < 3; ++k) indices.emplace(key_of(t, k), 0u);
   }
   FlatPatch flat;
-  for (auto& [key, index] : places) {
+  for (auto& [key, index] : indices) {
     index = static_cast<std::uint32_t>(flat.vertices.size());
     flat.vertices.push_back(std::get<0>(key));
     flat.uv.push_back(scale * glm::dvec2(std::get<1>(key), (mirrored ? -1.0 : 1.0) * double{std::get<2>(key)}));
   }
   for (const std::uint32_t t : triangles) {
-    flat.triangles.emplace_back(places[key_of(t, 0)], places[key_of(t, 1)], places[key_of(t, 2)]);
+    flat.triangles.emplace_back(indices[key_of(t, 0)], indices[key_of(t, 1)], indices[key_of(t, 2)]);
   }
   return flat;
 }
 
-/// Returns the sizes per unit of the island's texture coordinates, negative for a mirrored island; `usual` if they span
-/// no area.
-double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, double usual) {
+/// Returns the sizes per unit of the island's texture coordinates, negative for a mirrored island; `fallback` if they
+/// span no area.
+double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, double fallback) {
   double area = 0, uv_area = 0, signed_area = 0;
   for (const std::uint32_t t : triangles) {
     area += twice_area(mesh, t);
@@ -94,11 +94,11 @@ double scale_of(const Mesh& mesh, const std::vector<std::uint32_t>& triangles, d
   }
   const double scale = std::sqrt(area / uv_area);
   const bool usable = uv_area > 0 && std::isfinite(scale) && scale > 0;
-  return (usable ? scale : usual) * (signed_area < 0 ? -1 : 1);
+  return (usable ? scale : fallback) * (signed_area < 0 ? -1 : 1);
 }
 
 /// Returns the sizes per unit of texture coordinates over the whole model; none if they span no area.
-std::optional<double> usual_scale(const Mesh& mesh) {
+std::optional<double> mean_scale(const Mesh& mesh) {
   double area = 0, uv_area = 0;
   for (std::uint32_t t = 0; !mesh.texture_uv.empty() && t < mesh.triangles.size(); ++t) {
     area += twice_area(mesh, t);
@@ -110,14 +110,14 @@ std::optional<double> usual_scale(const Mesh& mesh) {
 
 }  // namespace
 
-bool has_own_uvs(const Mesh& mesh) { return usual_scale(mesh).has_value(); }
+bool has_own_uvs(const Mesh& mesh) { return mean_scale(mesh).has_value(); }
 
 Result<PatchMap> own_uv_patches(const Mesh& mesh) {
-  const std::optional<double> usual = usual_scale(mesh);
-  if (!usual) return failure(Code::invalid, "the model has no texture coordinates of its own");
+  const std::optional<double> fallback = mean_scale(mesh);
+  if (!fallback) return failure(Code::invalid, "the model has no texture coordinates of its own");
   PatchMap map;
   for (const std::vector<std::uint32_t>& triangles : islands_of(mesh)) {
-    const double scale = scale_of(mesh, triangles, *usual);
+    const double scale = scale_of(mesh, triangles, *fallback);
     const FlatPatch flat = flat_island(mesh, triangles, std::abs(scale), scale < 0);
     const auto first = static_cast<std::uint32_t>(map.points.size());
     for (PatchPoint point : make_points(mesh, flat, map.patches)) {
@@ -125,12 +125,12 @@ Result<PatchMap> own_uv_patches(const Mesh& mesh) {
       map.points.push_back(point);
     }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      map.pieces.push_back({triangles[i], map.patches, flat.triangles[i] + first});
+      map.patch_triangles.push_back({triangles[i], map.patches, flat.triangles[i] + first});
     }
     ++map.patches;
   }
-  std::sort(map.pieces.begin(), map.pieces.end(),
-            [](const Piece& a, const Piece& b) { return a.triangle < b.triangle; });
+  std::sort(map.patch_triangles.begin(), map.patch_triangles.end(),
+            [](const PatchTriangle& a, const PatchTriangle& b) { return a.triangle < b.triangle; });
   return map;
 }
 

@@ -109,17 +109,18 @@ PatchMap assemble(const Mesh& mesh, const Layout& layout) {
     map.points.insert(map.points.end(), points.begin(), points.end());
     const auto triangles = layout.triangles.of(p);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      map.pieces.push_back({triangles[i], p, layout.flat[p].triangles[i] + first});
+      map.patch_triangles.push_back({triangles[i], p, layout.flat[p].triangles[i] + first});
     }
   }
-  std::sort(map.pieces.begin(), map.pieces.end(), [](const Piece& a, const Piece& b) {
+  std::sort(map.patch_triangles.begin(), map.patch_triangles.end(), [](const PatchTriangle& a, const PatchTriangle& b) {
     return std::pair(a.triangle, a.patch) < std::pair(b.triangle, b.patch);
   });
   return map;
 }
 
-float weight_sum(const PatchMap& map, const Piece& piece) {
-  return map.points[piece.points.x].weight + map.points[piece.points.y].weight + map.points[piece.points.z].weight;
+float weight_sum(const PatchMap& map, const PatchTriangle& patch_triangle) {
+  return map.points[patch_triangle.points.x].weight + map.points[patch_triangle.points.y].weight +
+         map.points[patch_triangle.points.z].weight;
 }
 
 }  // namespace
@@ -135,25 +136,25 @@ PatchMap lay_patches(const Mesh& mesh) {
   return assemble(mesh, layout);
 }
 
-PatchMap hard_pieces(const PatchMap& map) {
+PatchMap with_hard_borders(const PatchMap& map) {
   PatchMap hard{map.points, {}, map.patches};
   for (PatchPoint& point : hard.points) point.weight = 1;
-  for (std::size_t i = 0; i < map.pieces.size();) {
-    const Piece* best = &map.pieces[i];
+  for (std::size_t i = 0; i < map.patch_triangles.size();) {
+    const PatchTriangle* best = &map.patch_triangles[i];
     const std::uint32_t triangle = best->triangle;
-    for (; i < map.pieces.size() && map.pieces[i].triangle == triangle; ++i) {
-      if (weight_sum(map, map.pieces[i]) > weight_sum(map, *best)) best = &map.pieces[i];
+    for (; i < map.patch_triangles.size() && map.patch_triangles[i].triangle == triangle; ++i) {
+      if (weight_sum(map, map.patch_triangles[i]) > weight_sum(map, *best)) best = &map.patch_triangles[i];
     }
-    hard.pieces.push_back(*best);
+    hard.patch_triangles.push_back(*best);
   }
   return hard;
 }
 
-Stretch stretch_of(const Mesh& mesh, const PatchMap& map, const Piece& piece) {
+Stretch stretch_of(const Mesh& mesh, const PatchMap& map, const PatchTriangle& patch_triangle) {
   std::array<glm::dvec3, 3> p;
   std::array<glm::dvec2, 3> uv;
   for (std::size_t k = 0; k < 3; ++k) {
-    const PatchPoint& point = map.points[piece.points[static_cast<int>(k)]];
+    const PatchPoint& point = map.points[patch_triangle.points[static_cast<int>(k)]];
     p[k] = glm::dvec3(mesh.positions[point.vertex]), uv[k] = glm::dvec2(point.uv);
   }
   return stretch_of(p, uv);
@@ -300,18 +301,18 @@ VertexShares normalised(const Cells& cells, const std::vector<Reach>& reaches, d
   return result;
 }
 
-/// Returns the area of all pieces divided by the area of the surface.
+/// Returns the area of all patch triangles divided by the area of the surface.
 double area_factor(const Mesh& mesh, const VertexShares& shares) {
-  double pieces = 0, surface = 0;
+  double patch_triangles = 0, surface = 0;
   std::vector<std::uint32_t> patches;
   for (const glm::uvec3& t : mesh.triangles) {
     const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
     const double twice = glm::length(glm::cross(b - a, c - a));
     patches_at(shares, t, patches);
-    pieces += twice * static_cast<double>(patches.size());
+    patch_triangles += twice * static_cast<double>(patches.size());
     surface += twice;
   }
-  return surface > 0 ? pieces / surface : 1;
+  return surface > 0 ? patch_triangles / surface : 1;
 }
 
 }  // namespace

@@ -24,17 +24,17 @@ struct PatchPoint {
 };
 
 /// A triangle in one patch.
-struct Piece {
+struct PatchTriangle {
   std::uint32_t triangle = 0;
   std::uint32_t patch = 0;
   glm::uvec3 points{0};  // indices in PatchMap::points of the triangle's corners, in order
 };
 
-/// Every triangle has at least one piece. The weights of a vertex over its patches sum to 1, and so do their linear
-/// interpolations in a triangle over its pieces: no strand is missing and none counts twice.
+/// Every triangle has at least one patch triangle. The weights of a vertex over its patches sum to 1, and so do their
+/// linear interpolations in a triangle over its patch triangles: no strand is missing and none counts twice.
 struct PatchMap {
-  std::vector<PatchPoint> points;  // by patch, then vertex
-  std::vector<Piece> pieces;       // by triangle, then patch
+  std::vector<PatchPoint> points;              // by patch, then vertex
+  std::vector<PatchTriangle> patch_triangles;  // by triangle, then patch
   std::uint32_t patches = 0;
 };
 
@@ -44,19 +44,19 @@ struct PatchMap {
 /// Deterministic at any thread count.
 PatchMap lay_patches(const Mesh& mesh);
 
-/// Returns the map with hard borders: each triangle keeps the piece with the largest mean weight, at weight 1.
-PatchMap hard_pieces(const PatchMap& map);
+/// Returns the map with hard borders: each triangle keeps the patch triangle with the largest mean weight, at weight 1.
+PatchMap with_hard_borders(const PatchMap& map);
 
 /// Returns whether the model has texture coordinates that span an area.
 bool has_own_uvs(const Mesh& mesh);
 
 /// Returns the map of the model's own texture coordinates: a patch for each of their islands, at the scale that
-/// preserves the island's area; mirrored islands are flipped. Each triangle has one piece of weight 1. Refused
+/// preserves the island's area; mirrored islands are flipped. Each triangle has one patch triangle of weight 1. Refused
 /// (invalid) if the model has no texture coordinates that span an area.
 Result<PatchMap> own_uv_patches(const Mesh& mesh);
 
-/// Returns how the map stretches a piece.
-Stretch stretch_of(const Mesh& mesh, const PatchMap& map, const Piece& piece);
+/// Returns how the map stretches a patch triangle.
+Stretch stretch_of(const Mesh& mesh, const PatchMap& map, const PatchTriangle& patch_triangle);
 
 // Converts a flattened patch to the points of a map.
 
@@ -85,7 +85,7 @@ struct VertexShares {
 /// The extent of patches beyond the borders of their cells.
 struct Overlap {
   double width = 0.03;        // maximum, sizes; noise makes it irregular
-  double area_factor = 1.25;  // maximum area of all pieces over that of the surface, if one ring of triangles permits
+  double area_factor = 1.25;  // maximum area of all patch triangles over the surface's, if one triangle ring permits
 };
 
 /// Returns the shares of patches at vertices. The weight of a patch is 1 in its own cell and falls with the distance

@@ -24,8 +24,8 @@ struct Middle {
   bool operator==(const Middle& other) const { return order() == other.order(); }
 };
 
-/// A piece of the subdivided map before its points are numbered.
-struct NewPiece {
+/// A patch triangle of the subdivided map before its points are numbered.
+struct NewPatchTriangle {
   std::uint32_t triangle = 0, patch = 0;
   std::array<Middle, 3> corners;
 };
@@ -34,32 +34,35 @@ float weight_of(const PatchMap& map, const Middle& middle) {
   return static_cast<float>((double{map.points[middle.low].weight} + double{map.points[middle.high].weight}) / 2);
 }
 
-NewPiece split_piece(const Piece& piece, const ChildTriangle& child, std::uint32_t triangle, const Mesh& subdivided) {
-  NewPiece result{triangle, piece.patch, {}};
+NewPatchTriangle split_patch_triangle(const PatchTriangle& patch_triangle, const ChildTriangle& child,
+                                      std::uint32_t triangle, const Mesh& subdivided) {
+  NewPatchTriangle result{triangle, patch_triangle.patch, {}};
   for (std::size_t k = 0; k < 3; ++k) {
     const int corner = child.corners[k];
-    const std::uint32_t a = piece.points[corner % 3];
-    const std::uint32_t b = corner < 3 ? a : piece.points[(corner + 1) % 3];
+    const std::uint32_t a = patch_triangle.points[corner % 3];
+    const std::uint32_t b = corner < 3 ? a : patch_triangle.points[(corner + 1) % 3];
     result.corners[k] = {subdivided.triangles[triangle][static_cast<int>(k)], std::min(a, b), std::max(a, b)};
   }
   return result;
 }
 
-/// Returns the pieces of all children, by triangle, then patch.
-std::vector<NewPiece> split_pieces(const PatchMap& map, const std::vector<ChildTriangle>& children,
-                                   const Mesh& subdivided) {
-  std::vector<NewPiece> pieces;
-  std::size_t begin = 0, end = 0;  // pieces of the parent
+/// Returns the patch triangles of all children, by triangle, then patch.
+std::vector<NewPatchTriangle> split_patch_triangles(const PatchMap& map, const std::vector<ChildTriangle>& children,
+                                                    const Mesh& subdivided) {
+  std::vector<NewPatchTriangle> patch_triangles;
+  std::size_t begin = 0, end = 0;  // patch triangles of the parent
   for (std::uint32_t t = 0; t < children.size(); ++t) {
-    while (map.pieces[begin].triangle < children[t].parent) ++begin;
-    for (end = begin; end < map.pieces.size() && map.pieces[end].triangle == children[t].parent; ++end) {
-      const NewPiece piece = split_piece(map.pieces[end], children[t], t, subdivided);
-      const bool counts = std::any_of(piece.corners.begin(), piece.corners.end(),
+    while (map.patch_triangles[begin].triangle < children[t].parent) ++begin;
+    for (end = begin; end < map.patch_triangles.size() && map.patch_triangles[end].triangle == children[t].parent;
+         ++end) {
+      const NewPatchTriangle patch_triangle =
+          split_patch_triangle(map.patch_triangles[end], children[t], t, subdivided);
+      const bool counts = std::any_of(patch_triangle.corners.begin(), patch_triangle.corners.end(),
                                       [&](const Middle& corner) { return weight_of(map, corner) > 0; });
-      if (counts) pieces.push_back(piece);
+      if (counts) patch_triangles.push_back(patch_triangle);
     }
   }
-  return pieces;
+  return patch_triangles;
 }
 
 /// Returns `axis` projected orthogonal to the unit normal, unit; the tailward direction if the projection vanishes.
@@ -81,10 +84,11 @@ PatchPoint make_point(const PatchMap& map, const Middle& middle, const Mesh& sub
 }  // namespace
 
 PatchMap subdivide_patches(const PatchMap& map, const std::vector<ChildTriangle>& children, const Mesh& subdivided) {
-  const std::vector<NewPiece> pieces = split_pieces(map, children, subdivided);
+  const std::vector<NewPatchTriangle> patch_triangles = split_patch_triangles(map, children, subdivided);
   std::vector<std::vector<Middle>> of_patch(map.patches);
-  for (const NewPiece& piece : pieces)
-    of_patch[piece.patch].insert(of_patch[piece.patch].end(), piece.corners.begin(), piece.corners.end());
+  for (const NewPatchTriangle& patch_triangle : patch_triangles)
+    of_patch[patch_triangle.patch].insert(of_patch[patch_triangle.patch].end(), patch_triangle.corners.begin(),
+                                          patch_triangle.corners.end());
   for_each_in_parallel(map.patches, [&](std::uint32_t p) {
     std::sort(of_patch[p].begin(), of_patch[p].end());
     of_patch[p].erase(std::unique(of_patch[p].begin(), of_patch[p].end()), of_patch[p].end());
@@ -95,12 +99,14 @@ PatchMap subdivide_patches(const PatchMap& map, const std::vector<ChildTriangle>
     first.push_back(static_cast<std::uint32_t>(result.points.size()));
     for (const Middle& middle : middles) result.points.push_back(make_point(map, middle, subdivided));
   }
-  for (const NewPiece& piece : pieces) {
-    Piece& numbered = result.pieces.emplace_back(Piece{piece.triangle, piece.patch, {}});
-    const std::vector<Middle>& middles = of_patch[piece.patch];
+  for (const NewPatchTriangle& patch_triangle : patch_triangles) {
+    PatchTriangle& numbered =
+        result.patch_triangles.emplace_back(PatchTriangle{patch_triangle.triangle, patch_triangle.patch, {}});
+    const std::vector<Middle>& middles = of_patch[patch_triangle.patch];
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto found = std::lower_bound(middles.begin(), middles.end(), piece.corners[k]);
-      numbered.points[static_cast<int>(k)] = first[piece.patch] + static_cast<std::uint32_t>(found - middles.begin());
+      const auto found = std::lower_bound(middles.begin(), middles.end(), patch_triangle.corners[k]);
+      numbered.points[static_cast<int>(k)] =
+          first[patch_triangle.patch] + static_cast<std::uint32_t>(found - middles.begin());
     }
   }
   return result;
@@ -108,11 +114,11 @@ PatchMap subdivide_patches(const PatchMap& map, const std::vector<ChildTriangle>
 
 namespace {
 
-constexpr std::uint32_t whole = 0xffffffff;  // in place of a middle: the side is not split
+constexpr std::uint32_t unsplit = 0xffffffff;  // in place of a middle: the side is not split
 
 /// The middles of all sides that are halved.
 struct Middles {
-  std::vector<std::array<std::uint32_t, 3>> of;  // by triangle and side: the new vertex, or `whole`
+  std::vector<std::array<std::uint32_t, 3>> of;  // by triangle and side: the new vertex, or `unsplit`
   std::vector<glm::uvec2> parents;
 };
 
@@ -123,7 +129,7 @@ glm::vec3 middle_of(const Mesh& mesh, std::uint32_t a, std::uint32_t b) {
 /// Halves each edge of a chosen triangle, once for all triangles that share it.
 Middles halve_edges(const Mesh& mesh, const std::vector<bool>& chosen) {
   Middles middles;
-  middles.of.assign(mesh.triangles.size(), {whole, whole, whole});
+  middles.of.assign(mesh.triangles.size(), {unsplit, unsplit, unsplit});
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for_each_edge(sorted_sides(mesh.triangles), [&](std::span<const Side> edge) {
     const std::uint32_t low = edge[0].low, high = edge[0].high;
@@ -145,11 +151,11 @@ double distance_to_middle(const Mesh& mesh, const Middles& middles, std::uint32_
   return glm::distance(glm::dvec3(from), glm::dvec3(middle_of(mesh, ends.x, ends.y)));
 }
 
-/// Adds three triangles for one with two halved sides. The quadrilateral at the whole side is cut along its shorter
+/// Adds three triangles for one with two halved sides. The quadrilateral at the unsplit side is cut along its shorter
 /// diagonal.
-void add_three(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int whole_side,
+void add_three(const Mesh& mesh, const Middles& middles, std::uint32_t triangle, int unsplit_side,
                std::vector<ChildTriangle>& children) {
-  const int a = whole_side, b = (a + 1) % 3, c = (a + 2) % 3;
+  const int a = unsplit_side, b = (a + 1) % 3, c = (a + 2) % 3;
   const auto corner = [](int k) { return static_cast<std::uint8_t>(k); };
   const std::uint8_t after = corner(3 + b), before = corner(3 + c);  // middles of the sides from b to c, from c to a
   const auto length = [&](int from, int side) { return distance_to_middle(mesh, middles, triangle, from, side); };
@@ -166,18 +172,18 @@ void add_three(const Mesh& mesh, const Middles& middles, std::uint32_t triangle,
 void add_children(const Mesh& mesh, const Middles& middles, std::uint32_t triangle,
                   std::vector<ChildTriangle>& children) {
   const std::array<std::uint32_t, 3>& sides = middles.of[triangle];
-  const auto halved = 3 - std::count(sides.begin(), sides.end(), whole);
+  const auto halved = 3 - std::count(sides.begin(), sides.end(), unsplit);
   if (halved == 0) {
     children.push_back({triangle, {0, 1, 2}});
   } else if (halved == 1) {
     const auto a = static_cast<std::uint8_t>(
-        std::find_if(sides.begin(), sides.end(), [](std::uint32_t m) { return m != whole; }) - sides.begin());
+        std::find_if(sides.begin(), sides.end(), [](std::uint32_t m) { return m != unsplit; }) - sides.begin());
     const auto b = static_cast<std::uint8_t>((a + 1) % 3), c = static_cast<std::uint8_t>((a + 2) % 3);
     const auto middle = static_cast<std::uint8_t>(3 + a);
     children.push_back({triangle, {a, middle, c}});
     children.push_back({triangle, {middle, b, c}});
   } else if (halved == 2) {
-    const auto side = std::find(sides.begin(), sides.end(), whole) - sides.begin();
+    const auto side = std::find(sides.begin(), sides.end(), unsplit) - sides.begin();
     add_three(mesh, middles, triangle, static_cast<int>(side), children);
   } else {
     for (const std::array<std::uint8_t, 3>& corners :

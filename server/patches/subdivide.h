@@ -44,9 +44,9 @@ struct SubdividedSurface {
 /// Splits every chosen triangle in four and those that share an edge with one in two, three or four, so that no cracks
 /// and no vertices within edges appear. New vertices lie in the middle, rounded to 32 bits; an edge without a 32-bit
 /// point between its ends is not split. Normals and tangents are their parents' means, made unit and orthogonal again;
-/// colours, texture coordinates and positions on the sample tile are means, so that no root of fur moves. Pieces with a
-/// weight of 0 on a new triangle are left out. Refused (invalid): a choice beyond the mesh, or more triangles than the
-/// limit of models. Deterministic at any thread count.
+/// colours, texture coordinates and positions on the sample tile are means, so that no root of fur moves. Patch
+/// triangles with a weight of 0 on a new triangle are left out. Refused (invalid): a choice beyond the mesh, or more
+/// triangles than the limit of models. Deterministic at any thread count.
 Result<SubdividedSurface> subdivide(const Mesh& mesh, const PatchMap& patches, const ChosenTriangles& chosen);
 
 }  // namespace pelage

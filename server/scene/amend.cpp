@@ -83,7 +83,7 @@ Status Scene::replay_step(Replay& replay, Revision number, const std::vector<Com
   std::vector<Step> steps;
   std::vector<Command> resolved;
   for (std::size_t k = 0; k < commands.size(); ++k) {
-    const Status parts = check_whole(commands[k]);
+    const Status parts = check_complete_stroke(commands[k]);
     Result<Step> step = parts.ok() ? prepare(commands[k], resolved, past) : parts;
     if (!step) {
       Status refused = step.status();

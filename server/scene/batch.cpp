@@ -71,7 +71,8 @@ Evaluation evaluate_all_images(const std::vector<Command>& images, const Surface
     all.clamped += one.clamped;
     all.warnings.insert(all.warnings.end(), one.warnings.begin(), one.warnings.end());
   }
-  all.delta = stored_in_edit_layer(together(changes, fields), edit_layer_of(images.front()), settings.layers, fields);
+  all.delta = stored_in_edit_layer(combine_symmetry_images(changes, fields), edit_layer_of(images.front()),
+                                   settings.layers, fields);
   return all;
 }
 
@@ -112,7 +113,7 @@ Evaluation evaluate_coat(const NamedCoat& coat, const std::vector<Command>& imag
 /// these coats says.
 Evaluation evaluate_coats(const Step& step, const Surface& surface, const FieldSet& fields,
                           const SceneSettings& settings, const Cancel& cancel) {
-  const std::vector<Command> images = images_of(with_named(step.command, settings), settings.symmetry, surface);
+  const std::vector<Command> images = symmetry_images(with_named(step.command, settings), settings.symmetry, surface);
   const std::vector<CoatId> chosen =
       coats_to_groom(coats_of(step.command), edit_layer_of(step.command), settings.coats, settings.layers);
   Evaluation all;
@@ -150,7 +151,7 @@ Status in_batch(Status status, std::size_t command, std::size_t commands) {
   return status;
 }
 
-Status check_whole(const Command& command) {
+Status check_complete_stroke(const Command& command) {
   const Stroke* stroke = stroke_of(command);
   if (stroke == nullptr || (stroke->part == 0 && stroke->last)) return {};
   return failure(Code::invalid, "a batch takes whole strokes", "/stroke/part", "0, and the last");

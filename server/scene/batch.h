@@ -44,7 +44,7 @@ Result<Outcome> evaluate_batch(const std::vector<Step>& steps, const FieldDelta&
                                const Cancel& cancel);
 
 /// Refuses (invalid, "/stroke/part") a command that holds only a part of a stroke.
-Status check_whole(const Command& command);
+Status check_complete_stroke(const Command& command);
 
 /// Returns the commands at the given indices.
 std::vector<Command> chosen(const std::vector<Command>& commands, const std::vector<std::size_t>& numbers);

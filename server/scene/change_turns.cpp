@@ -13,7 +13,7 @@ Result<ChangeTurns::Turn> ChangeTurns::take(const Cancel& cancel) {
     return failure(Code::busy, "too many changes of the scene wait", "",
                    "at most " + std::to_string(max_waiting) + " that wait");
   }
-  const std::uint64_t own = came_++;
+  const std::uint64_t own = next_ticket_++;
   waiting_.push_back(own);
   while (taken_ || waiting_.front() != own) {
     ended_.wait_for(lock, look_again);

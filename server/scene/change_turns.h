@@ -41,7 +41,7 @@ class ChangeTurns {
   std::mutex mutex_;
   std::condition_variable ended_;
   std::deque<std::uint64_t> waiting_;  // tickets in order of arrival
-  std::uint64_t came_ = 0;
+  std::uint64_t next_ticket_ = 0;
   bool taken_ = false;
 };
 

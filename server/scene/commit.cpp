@@ -27,7 +27,7 @@ Status Scene::take_over(const std::function<Status()>& write, const std::functio
   if (Status written = write(); !written.ok()) return written;
   const std::lock_guard lock(mutex_);
   publish();
-  announce();
+  publish_revision();
   return {};
 }
 
@@ -71,13 +71,13 @@ Result<std::shared_ptr<const RawImage>> Scene::skin_texture_of(const SceneSettin
   return std::make_shared<const RawImage>(std::move(*image));
 }
 
-SnapshotPtr Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
-                             std::shared_ptr<const RawImage> skin_texture) const {
+SnapshotPtr Scene::first_snapshot(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
+                                  std::shared_ptr<const RawImage> skin_texture) const {
   auto begun = std::make_shared<SceneSnapshot>();
   const bool same = present_ && present_->model == model;
   begun->copy_id = same ? present_->copy_id : model->id;
   if (same) begun->pose = present_->pose;
-  begun->changes = (same ? present_->changes : RecentChanges()).with(whole_range(fields.size()));
+  begun->changes = (same ? present_->changes : RecentChanges()).with(full_vertex_range(fields.size()));
   begun->model = std::move(model);
   begun->fields = std::make_shared<const FieldSet>(std::move(fields));
   begun->settings = history.settings_at(history.revision());
@@ -87,7 +87,7 @@ SnapshotPtr Scene::beginning(std::shared_ptr<const SceneModel> model, FieldSet f
 }
 
 /// Swaps a new initial state into the scene. Both arguments then hold the old state, to be freed without the lock.
-Status Scene::begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write) {
+Status Scene::replace_state(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write) {
   return take_over(write, [&] {
     present_.swap(snapshot);
     std::swap(history_, history);
@@ -96,7 +96,7 @@ Status Scene::begin_anew(SnapshotPtr& snapshot, History& history, const std::fun
 }
 
 /// Publishes the newest revision and wakes the threads that wait for it.
-void Scene::announce() noexcept {
+void Scene::publish_revision() noexcept {
   newest_ = present_->revision;
   changed_.notify_all();
 }

@@ -165,20 +165,20 @@ std::vector<SkinRegion> ear(double side, const Mesh& mesh) {
     const double radius = glm::mix(creature::kEarHollowBaseRadius, creature::kEarHollowTipRadius, t);
     return (glm::mix(creature::kEarHollowBase, creature::kEarHollowTip, t) - radius * creature::kEarFront) * mirrored;
   };
-  SkinRegion whole = region(on_floor(0.47), {.036, .088, .05}, mesh);
-  whole.axis = creature::kEarFront * mirrored;
-  whole.turn_degrees = side * -28;  // along the ear
-  whole.softness = 0.7;
-  whole.facing = SkinFacing{.direction = creature::kEarFront * mirrored, .angle_degrees = 68, .fade_degrees = 30};
-  whole.colour = pink;
-  whole.shine = 0.3, whole.roughness = 0.6, whole.scatter = 1;
-  whole.bumps.height = 0;
-  SkinRegion deep = whole;
+  SkinRegion hollow = region(on_floor(0.47), {.036, .088, .05}, mesh);
+  hollow.axis = creature::kEarFront * mirrored;
+  hollow.turn_degrees = side * -28;  // along the ear
+  hollow.softness = 0.7;
+  hollow.facing = SkinFacing{.direction = creature::kEarFront * mirrored, .angle_degrees = 68, .fade_degrees = 30};
+  hollow.colour = pink;
+  hollow.shine = 0.3, hollow.roughness = 0.6, hollow.scatter = 1;
+  hollow.bumps.height = 0;
+  SkinRegion deep = hollow;
   deep.centre = on_floor(0.08);
   deep.radii = glm::dvec3(.010, .024, .03) / mesh.size;
   deep.softness = 5;
   deep.colour = deep_red;
-  return {whole, deep};
+  return {hollow, deep};
 }
 
 /// Returns one large pad and four small ones under a paw.

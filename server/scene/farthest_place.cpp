@@ -10,28 +10,28 @@ namespace {
 
 /// A corner of the polygon that the box cuts from a triangle.
 struct Corner {
-  glm::dvec3 place, barycentric;
+  glm::dvec3 position, barycentric;
 };
 
 struct HalfSpace {
   int axis;
   double side, bound;  // inside: side * place[axis] <= side * bound
 
-  double depth(glm::dvec3 place) const { return side * (bound - place[axis]); }
+  double depth(glm::dvec3 position) const { return side * (bound - position[axis]); }
 };
 
 /// Clips a convex polygon to a half space (Sutherland and Hodgman 1974). `kept` is scratch memory.
-void clip(std::vector<Corner>& polygon, const HalfSpace& half, std::vector<Corner>& kept) {
-  kept.clear();
+void clip(std::vector<Corner>& polygon, const HalfSpace& half, std::vector<Corner>& clipped) {
+  clipped.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Corner &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
-    const double in_from = half.depth(from.place), in_to = half.depth(to.place);
-    if (in_from >= 0) kept.push_back(from);
+    const double in_from = half.depth(from.position), in_to = half.depth(to.position);
+    if (in_from >= 0) clipped.push_back(from);
     if ((in_from >= 0) == (in_to >= 0)) continue;
     const double share = in_from / (in_from - in_to);
-    kept.push_back({glm::mix(from.place, to.place, share), glm::mix(from.barycentric, to.barycentric, share)});
+    clipped.push_back({glm::mix(from.position, to.position, share), glm::mix(from.barycentric, to.barycentric, share)});
   }
-  polygon.swap(kept);
+  polygon.swap(clipped);
 }
 
 std::vector<HalfSpace> half_spaces(const Mesh& mesh, const PickFarthest& wanted) {
@@ -42,13 +42,13 @@ std::vector<HalfSpace> half_spaces(const Mesh& mesh, const PickFarthest& wanted)
 
 }  // namespace
 
-std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFarthest& wanted) {
+std::optional<SurfacePoint> farthest_point(const Surface& surface, const PickFarthest& wanted) {
   const Mesh& mesh = surface.mesh();
   const std::vector<HalfSpace> box = half_spaces(mesh, wanted);
   const glm::dvec3 direction = glm::normalize(wanted.direction);
   double farthest = -std::numeric_limits<double>::infinity();
   std::optional<SurfacePoint> found;
-  std::vector<Corner> polygon, kept;
+  std::vector<Corner> polygon, clipped;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     polygon.clear();
     for (int k = 0; k < 3; ++k) {
@@ -56,9 +56,9 @@ std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFar
       corner[k] = 1;
       polygon.push_back({glm::dvec3(mesh.positions[mesh.triangles[t][k]]), corner});
     }
-    for (const HalfSpace& half : box) clip(polygon, half, kept);
+    for (const HalfSpace& half : box) clip(polygon, half, clipped);
     for (const Corner& corner : polygon) {
-      const double along = glm::dot(corner.place, direction);
+      const double along = glm::dot(corner.position, direction);
       if (along > farthest) farthest = along, found = SurfacePoint{t, corner.barycentric};
     }
   }

@@ -10,6 +10,6 @@ namespace pelage {
 
 /// Returns the farthest position along the wanted direction inside the box; of several equally far ones, that on the
 /// first triangle. Returns nothing if no triangle reaches into the box.
-std::optional<SurfacePoint> farthest_place(const Surface& surface, const PickFarthest& wanted);
+std::optional<SurfacePoint> farthest_point(const Surface& surface, const PickFarthest& wanted);
 
 }  // namespace pelage

@@ -14,8 +14,8 @@ namespace pelage {
 namespace {
 
 /// Thins the keys to at most `most`, and to what one command may cost.
-void thin(Interpolate& command, std::size_t most, const Symmetry& symmetry, const Surface& surface) {
-  command.keys = thinned(command.keys, most);
+void thin(Interpolate& command, std::size_t max_keys, const Symmetry& symmetry, const Surface& surface) {
+  command.keys = thinned(command.keys, max_keys);
   const double visits = evaluation_cost(command, symmetry, surface, 0).visits;
   if (visits <= limits::evaluation_visits) return;
   const double affordable = static_cast<double>(command.keys.size()) * limits::evaluation_visits / visits;
@@ -54,11 +54,11 @@ std::vector<GuideCurve> in_scene(const GuideFile& file, const GuideUpload& uploa
   const Axis up = source ? report.up : Axis::plus_y;
   const std::optional<double> metres = upload.metres_per_unit ? upload.metres_per_unit : metres_of(model.name);
   const double scale = file.metres && metres ? *file.metres / *metres : 1;
-  const glm::dmat3 turn =
-      scale * (source ? turn_of(report.up, report.front) : glm::dmat3(1)) * stood_up(file.up.value_or(up), up);
+  const glm::dmat3 rotation =
+      scale * (source ? axes_rotation(report.up, report.front) : glm::dmat3(1)) * stood_up(file.up.value_or(up), up);
   std::vector<GuideCurve> curves = file.curves;
   for (GuideCurve& curve : curves)
-    for (glm::dvec3& point : curve) point = turn * point;
+    for (glm::dvec3& point : curve) point = rotation * point;
   return curves;
 }
 

@@ -47,7 +47,7 @@ bool is_good(const FieldSet& fields, const FieldDelta::Part& part, std::uint32_t
   const bool adds = part.sheet >= first_edit_layer;
   const float low = adds ? -max_addition : shape.min, high = adds ? max_addition : shape.max;
   for (int c = 0; c < shape.channels; ++c) {
-    const bool nothing = part.sheet == under_sheet && std::isnan(value[c]);
+    const bool nothing = part.sheet == base_sheet && std::isnan(value[c]);
     if (!nothing && !(value[c] >= low && value[c] <= high)) return false;
   }
   if (part.field != Field::direction || adds || std::isnan(value.x)) return true;

@@ -27,11 +27,11 @@ PrepareOptions preparation_of(const ImportOptions& asked, const RawModel& raw) {
 
 }  // namespace
 
-ImportLimits ended_by(const Cancel& cancel) {
+ImportLimits cancellable_limits(const Cancel& cancel) {
   return {.cancelled = [cancel] { return cancel.asked(); }};
 }
 
-ImportOptions standing_as(const SceneModel& before, ImportOptions asked) {
+ImportOptions with_axes_of(const SceneModel& before, ImportOptions asked) {
   const auto& formats = json_names::model_formats;
   const bool is_file =
       std::any_of(formats.begin(), formats.end(), [&](const auto& one) { return before.name == one.text; });
@@ -43,7 +43,7 @@ ImportOptions standing_as(const SceneModel& before, ImportOptions asked) {
 Result<ImportedModel> import_for_scene(const std::string& worker, std::uint64_t id, const ImportOptions& options,
                                        std::span<const std::byte> bytes, const Cancel& cancel,
                                        std::vector<ChosenTriangles> subdivisions) {
-  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, ended_by(cancel));
+  const Result<RawModel> raw = import_model(worker, options.format, bytes, options.pose, cancellable_limits(cancel));
   if (!raw) return raw.status();
   StoredModel how{.name = json_names::word_of(json_names::model_formats, options.format),
                   .prepare = preparation_of(options, *raw),

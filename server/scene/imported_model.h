@@ -18,11 +18,11 @@
 namespace pelage {
 
 /// Returns import limits that end the import if it is cancelled.
-ImportLimits ended_by(const Cancel& cancel);
+ImportLimits cancellable_limits(const Cancel& cancel);
 
 /// Returns import options with the up and front axes of the model before, unless the caller asked for other axes or
 /// that model did not come from a file.
-ImportOptions standing_as(const SceneModel& before, ImportOptions asked);
+ImportOptions with_axes_of(const SceneModel& before, ImportOptions asked);
 
 struct ImportedModel {
   std::shared_ptr<const SceneModel> model;

@@ -124,7 +124,7 @@ Picture integer_picture(const DrawnMap& map) {
   for (std::size_t i = 0; i < pixels; ++i) {
     const float* values = map.image.at(i);
     const auto sample = [&](int k) {
-      return static_cast<Sample>(file_number(map.layout.kinds[static_cast<std::size_t>(k)], values[k], bits));
+      return static_cast<Sample>(encode_channel(map.layout.kinds[static_cast<std::size_t>(k)], values[k], bits));
     };
     Sample* out = &picture.rgba[4 * i];
     for (int k = 0; k < channels; ++k) out[k] = sample(k);
@@ -146,7 +146,7 @@ void put_file_numbers(DrawnMap& map) {
   const auto channels = static_cast<std::size_t>(map.layout.channels);
   for (std::size_t i = 0; i < map.image.values.size(); ++i) {
     const ChannelKind kind = map.layout.kinds[i % channels];
-    map.image.values[i] = static_cast<float>(file_number(kind, map.image.values[i], 32));
+    map.image.values[i] = static_cast<float>(encode_channel(kind, map.image.values[i], 32));
   }
 }
 

@@ -22,7 +22,7 @@ Result<PatchMap> lay(const Mesh& mesh, FurPatches how) {
     return failure(own.status().code, own.status().message, "/fur_patches", "overlapping | hard");
   }
   PatchMap patches = lay_patches(mesh);
-  return how == FurPatches::hard ? hard_pieces(patches) : std::move(patches);
+  return how == FurPatches::hard ? with_hard_borders(patches) : std::move(patches);
 }
 
 template <class T>
@@ -52,36 +52,36 @@ std::optional<double> metres_of(const std::string& name) {
   return name == "gltf" || name == "glb" ? std::optional(1.0) : std::nullopt;
 }
 
-Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how) {
+Result<UnsubdividedModel> prepare_model(const RawModel& raw, const StoredModel& how) {
   Result<PreparedMesh> prepared = prepare_with_sources(raw, how.prepare);
   if (!prepared) return prepared.status();
   if (!is_built_in(how.name)) lean_over_rims(prepared->mesh);
   Result<PatchMap> patches = lay(prepared->mesh, how.fur_patches);
   if (!patches) return patches.status();
-  return LaidModel{std::move(*prepared), std::move(*patches)};
+  return UnsubdividedModel{std::move(*prepared), std::move(*patches)};
 }
 
-Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how) {
+Result<PatchedMesh> apply_subdivisions(PatchedMesh patched, const StoredModel& how) {
   for (const ChosenTriangles& chosen : how.subdivisions) {
-    Result<SubdividedSurface> finer = subdivide(laid.mesh, laid.patches, chosen);
+    Result<SubdividedSurface> finer = subdivide(patched.mesh, patched.patches, chosen);
     if (!finer) return finer.status();
-    laid = {std::move(finer->mesh), std::move(finer->patches)};
+    patched = {std::move(finer->mesh), std::move(finer->patches)};
   }
-  return laid;
+  return patched;
 }
 
-std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id,
+std::shared_ptr<const SceneModel> finish_model(PatchedMesh patched, const StoredModel& how, std::uint64_t id,
                                                std::shared_ptr<const SceneModel> rest) {
-  std::string mesh_id = id_of(laid.mesh);
-  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(laid.mesh)), std::move(laid.patches), id,
-                                                          how.name, how.fur_patches, how.subdivisions,
+  std::string mesh_id = id_of(patched.mesh);
+  return std::shared_ptr<const SceneModel>(new SceneModel{Surface(std::move(patched.mesh)), std::move(patched.patches),
+                                                          id, how.name, how.fur_patches, how.subdivisions,
                                                           std::move(mesh_id), std::move(rest)});
 }
 
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id) {
-  Result<LaidModel> laid = lay_model(raw, how);
-  if (!laid) return laid.status();
-  Result<LaidMesh> split = split_triangles({std::move(laid->prepared.mesh), std::move(laid->patches)}, how);
+  Result<UnsubdividedModel> patched = prepare_model(raw, how);
+  if (!patched) return patched.status();
+  Result<PatchedMesh> split = apply_subdivisions({std::move(patched->prepared.mesh), std::move(patched->patches)}, how);
   if (!split) return split.status();
   return finish_model(std::move(*split), how, id);
 }

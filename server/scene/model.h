@@ -15,29 +15,29 @@
 namespace pelage {
 
 /// A prepared model before any triangle is subdivided.
-struct LaidModel {
+struct UnsubdividedModel {
   PreparedMesh prepared;
   PatchMap patches;
 };
 
 /// Prepares a model as `how` says and lays out its fur patches; how.raw is not read. Fails as prepare does, and
 /// (invalid, "/fur_patches") if the patches are to follow texture coordinates that the model does not have.
-Result<LaidModel> lay_model(const RawModel& raw, const StoredModel& how);
+Result<UnsubdividedModel> prepare_model(const RawModel& raw, const StoredModel& how);
 
 /// A mesh, and the patches that map the fur's tile onto it.
-struct LaidMesh {
+struct PatchedMesh {
   Mesh mesh;
   PatchMap patches;
 };
 
 /// Subdivides triangles as how.subdivisions says. Fails as subdivide does.
-Result<LaidMesh> split_triangles(LaidMesh laid, const StoredModel& how);
+Result<PatchedMesh> apply_subdivisions(PatchedMesh patched, const StoredModel& how);
 
 /// Makes a scene's model from its mesh. `rest` becomes SceneModel::rest.
-std::shared_ptr<const SceneModel> finish_model(LaidMesh laid, const StoredModel& how, std::uint64_t id,
+std::shared_ptr<const SceneModel> finish_model(PatchedMesh patched, const StoredModel& how, std::uint64_t id,
                                                std::shared_ptr<const SceneModel> rest = {});
 
-/// Combines lay_model, split_triangles and finish_model. Fails as they do.
+/// Combines prepare_model, apply_subdivisions and finish_model. Fails as they do.
 Result<std::shared_ptr<const SceneModel>> build_model(const RawModel& raw, const StoredModel& how, std::uint64_t id);
 
 /// Returns the number of metres per unit of a model's file, from its format (SceneModel::name); nothing if the format

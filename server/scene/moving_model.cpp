@@ -15,9 +15,9 @@ namespace {
 /// The rigid motion of a position on the rest surface.
 struct RigidMove {
   glm::dvec3 from{0}, to{0};  // internal
-  glm::dmat3 turn{1};
+  glm::dmat3 rotation{1};
 
-  glm::dvec3 place(glm::dvec3 internal) const { return to + turn * (internal - from); }
+  glm::dvec3 place(glm::dvec3 internal) const { return to + rotation * (internal - from); }
 };
 
 /// Makes a mean of nearly equal rotations a rotation again, by orthogonalizing its columns.
@@ -29,24 +29,24 @@ glm::dmat3 orthogonal(const glm::dmat3& mean) {
 
 class Carrier {
  public:
-  Carrier(const Surface& rest, const Mesh& moved, std::span<const glm::dmat3> turns)
-      : rest_(rest), moved_(moved), turns_(turns) {}
+  Carrier(const Surface& rest, const Mesh& moved, std::span<const glm::dmat3> rotations)
+      : rest_(rest), moved_(moved), rotations_(rotations) {}
 
   void carry(Eye& eye) const {
     const RigidMove move = move_at(eye.position);
     eye.position = carried(move, eye.position);
-    eye.gaze = move.turn * eye.gaze;
-    if (eye.lids && eye.lids->facing) eye.lids->facing = move.turn * *eye.lids->facing;
+    eye.gaze = move.rotation * eye.gaze;
+    if (eye.lids && eye.lids->facing) eye.lids->facing = move.rotation * *eye.lids->facing;
   }
 
   void carry(SkinRegion& region) const {
     const RigidMove move = move_at(region.centre);
     region.centre = carried(move, region.centre);
-    const glm::dmat3 frame = move.turn * tilted(upright_frame(region.axis), glm::radians(region.turn_degrees));
+    const glm::dmat3 frame = move.rotation * tilted(upright_frame(region.axis), glm::radians(region.turn_degrees));
     region.axis = frame[2];
     const glm::dmat3 upright = upright_frame(region.axis);
     region.turn_degrees = glm::degrees(std::atan2(glm::dot(frame[0], upright[1]), glm::dot(frame[0], upright[0])));
-    if (region.facing) region.facing->direction = move.turn * region.facing->direction;
+    if (region.facing) region.facing->direction = move.rotation * region.facing->direction;
   }
 
   void carry(GuideCurve& curve) const {
@@ -59,12 +59,12 @@ class Carrier {
     const Mesh& mesh = rest_.mesh();
     const SurfacePoint point = rest_.nearest(mesh.to_internal(model));
     const glm::uvec3 corners = mesh.triangles[point.triangle];
-    RigidMove move{.from = rest_.position(point), .turn = glm::dmat3(0)};
+    RigidMove move{.from = rest_.position(point), .rotation = glm::dmat3(0)};
     for (int k = 0; k < 3; ++k) {
       move.to += point.barycentric[k] * glm::dvec3(moved_.positions[corners[k]]);
-      move.turn += point.barycentric[k] * turns_[corners[k]];
+      move.rotation += point.barycentric[k] * rotations_[corners[k]];
     }
-    move.turn = orthogonal(move.turn);
+    move.rotation = orthogonal(move.rotation);
     return move;
   }
 
@@ -74,7 +74,7 @@ class Carrier {
 
   const Surface& rest_;
   const Mesh& moved_;
-  std::span<const glm::dmat3> turns_;
+  std::span<const glm::dmat3> rotations_;
 };
 
 /// Returns only the shape, which is compared with other files, without materials and pictures.
@@ -88,9 +88,9 @@ RawModel shape_of(RawModel raw) {
 
 }  // namespace
 
-SceneSettings carried_along(SceneSettings settings, const Surface& rest, const Mesh& moved,
-                            std::span<const glm::dmat3> turns) {
-  const Carrier carrier(rest, moved, turns);
+SceneSettings moved_with_surface(SceneSettings settings, const Surface& rest, const Mesh& moved,
+                                 std::span<const glm::dmat3> rotations) {
+  const Carrier carrier(rest, moved, rotations);
   for (Eye& eye : settings.eyes) carrier.carry(eye);
   for (SkinRegion& region : settings.skin) carrier.carry(region);
   for (CurveGroup& group : settings.curves) {
@@ -99,22 +99,23 @@ SceneSettings carried_along(SceneSettings settings, const Surface& rest, const M
   return settings;
 }
 
-MovingModel::MovingModel(RawModel raw, StoredModel how, LaidModel laid, std::shared_ptr<const SceneModel> rest)
-    : raw_(std::move(raw)), how_(std::move(how)), laid_(std::move(laid)), rest_(std::move(rest)) {}
+MovingModel::MovingModel(RawModel raw, StoredModel how, UnsubdividedModel patched,
+                         std::shared_ptr<const SceneModel> rest)
+    : raw_(std::move(raw)), how_(std::move(how)), unsubdivided_(std::move(patched)), rest_(std::move(rest)) {}
 
 Result<MovingModel> MovingModel::create(const StoredModel& stored, std::shared_ptr<const SceneModel> rest) {
   Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored.raw)));
   if (!raw) return raw.status();
-  Result<LaidModel> laid = lay_model(*raw, stored);
-  if (!laid) return laid.status();
+  Result<UnsubdividedModel> patched = prepare_model(*raw, stored);
+  if (!patched) return patched.status();
   StoredModel how = stored;
   how.raw.clear();
-  return MovingModel(shape_of(std::move(*raw)), std::move(how), std::move(*laid), std::move(rest));
+  return MovingModel(shape_of(std::move(*raw)), std::move(how), std::move(*patched), std::move(rest));
 }
 
 Status MovingModel::check(const RawModel& raw) const {
-  const auto refused = [](const std::string& what, const std::string& limit) {
-    return failure(Code::invalid, "It is not the scene's model in another pose: " + what + ".", "", limit);
+  const auto refused = [](const std::string& problem, const std::string& limit) {
+    return failure(Code::invalid, "It is not the scene's model in another pose: " + problem + ".", "", limit);
   };
   if (raw.positions.size() != raw_.positions.size())
     return refused("it has " + std::to_string(raw.positions.size()) + " vertices",
@@ -125,8 +126,8 @@ Status MovingModel::check(const RawModel& raw) const {
   if (raw.face_sizes != raw_.face_sizes || raw.corners != raw_.corners)
     return refused("its faces are of other vertices", "the same faces");
   constexpr double furthest = 1000;  // sizes
-  for (const std::uint32_t source : laid_.prepared.sources) {
-    const glm::dvec3 place = laid_.prepared.to_internal(raw.positions[source]);
+  for (const std::uint32_t source : unsubdivided_.prepared.sources) {
+    const glm::dvec3 place = unsubdivided_.prepared.to_internal(raw.positions[source]);
     if (!is_finite(place) || glm::length(place) > furthest)
       return refused("vertex " + std::to_string(source + 1) + " lies too far away",
                      "1,000 sizes from the model at rest");
@@ -134,22 +135,23 @@ Status MovingModel::check(const RawModel& raw) const {
   return {};
 }
 
-Result<LaidMesh> MovingModel::laid(const RawModel& raw) const {
+Result<PatchedMesh> MovingModel::patched(const RawModel& raw) const {
   if (Status same = check(raw); !same.ok()) return same;
-  const PreparedMesh& prepared = laid_.prepared;
+  const PreparedMesh& prepared = unsubdivided_.prepared;
   const Mesh& own = prepared.mesh;
   std::vector<glm::vec3> positions;
   positions.reserve(own.positions.size());
   for (const std::uint32_t source : prepared.sources)
     positions.emplace_back(prepared.to_internal(raw.positions[source]));
-  const std::vector<glm::dmat3> turns = surface_turns(own, positions);
+  const std::vector<glm::dmat3> rotations = surface_rotations(own, positions);
   for (std::size_t v = 0; v < positions.size(); ++v) {  // back sides are offset from the vertices they copy
     const glm::vec3 source(prepared.to_internal(raw_.positions[prepared.sources[v]]));
-    positions[v] += glm::vec3(turns[v] * glm::dvec3(own.positions[v] - source));
+    positions[v] += glm::vec3(rotations[v] * glm::dvec3(own.positions[v] - source));
   }
-  PatchMap patches = laid_.patches;
-  for (PatchPoint& point : patches.points) point.axis = glm::vec3(turns[point.vertex] * glm::dvec3(point.axis));
-  Result<LaidMesh> split = split_triangles({moved(own, std::move(positions), turns), std::move(patches)}, how_);
+  PatchMap patches = unsubdivided_.patches;
+  for (PatchPoint& point : patches.points) point.axis = glm::vec3(rotations[point.vertex] * glm::dvec3(point.axis));
+  Result<PatchedMesh> split =
+      apply_subdivisions({moved(own, std::move(positions), rotations), std::move(patches)}, how_);
   if (!split) return split.status();
   if (split->mesh.positions.size() != rest().positions.size() || split->mesh.triangles != rest().triangles)
     return failure(Code::invalid, "Its triangles are split differently than at rest.", "", "the same triangles");
@@ -157,16 +159,16 @@ Result<LaidMesh> MovingModel::laid(const RawModel& raw) const {
 }
 
 Result<Mesh> MovingModel::mesh(const RawModel& raw) const {
-  Result<LaidMesh> made = laid(raw);
+  Result<PatchedMesh> made = patched(raw);
   if (!made) return made.status();
   return std::move(made->mesh);
 }
 
 Result<ScenePose> MovingModel::pose(const RawModel& raw, SceneSettings settings, std::uint64_t id) const {
-  Result<LaidMesh> made = laid(raw);
+  Result<PatchedMesh> made = patched(raw);
   if (!made) return made.status();
-  const std::vector<glm::dmat3> turns = surface_turns(rest(), made->mesh.positions);
-  settings = carried_along(std::move(settings), rest_->surface, made->mesh, turns);
+  const std::vector<glm::dmat3> rotations = surface_rotations(rest(), made->mesh.positions);
+  settings = moved_with_surface(std::move(settings), rest_->surface, made->mesh, rotations);
   return ScenePose{.model = finish_model(std::move(*made), how_, id, rest_), .settings = std::move(settings)};
 }
 

@@ -14,10 +14,10 @@ namespace pelage {
 
 /// Returns the settings with eyes, curves and bare skin moved along with the surface. Each moves rigidly with the
 /// position of the rest surface that is nearest to it, a curve with the one nearest to its root. An eye that looks at a
-/// point keeps looking at it. `turns` are the rotations of the vertices of `rest` (surface_turns); `moved` has the
+/// point keeps looking at it. `turns` are the rotations of the vertices of `rest` (surface_rotations); `moved` has the
 /// triangles of `rest`.
-SceneSettings carried_along(SceneSettings settings, const Surface& rest, const Mesh& moved,
-                            std::span<const glm::dmat3> turns);
+SceneSettings moved_with_surface(SceneSettings settings, const Surface& rest, const Mesh& moved,
+                                 std::span<const glm::dmat3> rotations);
 
 /// Computes poses of a scene's model.
 class MovingModel {
@@ -38,12 +38,12 @@ class MovingModel {
   const Mesh& rest() const { return rest_->surface.mesh(); }
 
  private:
-  MovingModel(RawModel raw, StoredModel how, LaidModel laid, std::shared_ptr<const SceneModel> rest);
-  Result<LaidMesh> laid(const RawModel& raw) const;
+  MovingModel(RawModel raw, StoredModel how, UnsubdividedModel patched, std::shared_ptr<const SceneModel> rest);
+  Result<PatchedMesh> patched(const RawModel& raw) const;
 
   RawModel raw_;  // positions and faces only
   StoredModel how_;
-  LaidModel laid_;
+  UnsubdividedModel unsubdivided_;
   std::shared_ptr<const SceneModel> rest_;
 };
 

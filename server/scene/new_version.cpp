@@ -36,7 +36,7 @@ class SettingsCarrier {
  public:
   SettingsCarrier(const Surface& from, const Surface& to, Alignment how) : from_(from), to_(to), how_(how) {}
 
-  SceneSettings carried(SceneSettings settings) const {
+  SceneSettings transferred(SceneSettings settings) const {
     settings.eyes = moved(SetEyes{std::move(settings.eyes)}).eyes;
     settings.curves = moved(SetCurves{std::move(settings.curves)}).groups;
     settings.skin = moved(SetSkin{std::move(settings.skin)}).regions;
@@ -49,9 +49,9 @@ class SettingsCarrier {
  private:
   template <class Tool>
   Tool moved(Tool tool) const {
-    Result<Command> carried = carried_command(tool, from_, to_, how_);
-    assert(carried);  // carried_command refuses only commands that name vertices or revisions
-    return std::get<Tool>(std::move(*carried));
+    Result<Command> transferred = transferred_command(tool, from_, to_, how_);
+    assert(transferred);  // transferred_command refuses only commands that name vertices or revisions
+    return std::get<Tool>(std::move(*transferred));
   }
 
   const Surface &from_, &to_;
@@ -96,15 +96,15 @@ void bare_new_parts(FieldSet& fields, const Mesh& before, const Mesh& after) {
 
 }  // namespace
 
-CarriedGroom carried_groom(const SceneSnapshot& now, const SceneModel& model) {
+TransferredGroom transferred_groom(const SceneSnapshot& now, const SceneModel& model) {
   const Surface &before = now.model->surface, &after = model.surface;
   const Aligned aligned = align(*now.model, model);
   const double factor = length_factor(before.mesh(), after.mesh(), aligned.how);
-  SceneSettings settings = SettingsCarrier(before, after, aligned.how).carried(*now.settings);
+  SceneSettings settings = SettingsCarrier(before, after, aligned.how).transferred(*now.settings);
   settings.checkpoints.clear();  // their revisions are gone
   if (after.mesh().texture_uv.empty()) settings.skin_texture.clear();
   FieldSet fields =
-      carried(*now.fields, before.mesh(), after.mesh(), aligned.nearest.corners, factor, now.settings->layers);
+      transferred(*now.fields, before.mesh(), after.mesh(), aligned.nearest.corners, factor, now.settings->layers);
   bare_new_parts(fields, before.mesh(), after.mesh());
   const CarriedReport report{aligned.how, aligned.nearest.corners.size(), aligned.nearest.far, {}};
   return {std::move(fields), scaled(std::move(settings), factor), report};

@@ -9,7 +9,7 @@
 
 namespace pelage {
 
-struct CarriedGroom {
+struct TransferredGroom {
   FieldSet fields;
   SceneSettings settings;
   CarriedReport report;
@@ -20,6 +20,6 @@ struct CarriedGroom {
 /// model's unit. Both models are assumed to share coordinates, unless scaling the new model's bounding box to the old
 /// one's brings its vertices nearer by the median distance. Checkpoints are dropped. The skin texture is kept if the
 /// new model has texture coordinates. Parts with a new material that is left bare start bare.
-CarriedGroom carried_groom(const SceneSnapshot& now, const SceneModel& model);
+TransferredGroom transferred_groom(const SceneSnapshot& now, const SceneModel& model);
 
 }  // namespace pelage

@@ -63,7 +63,7 @@ OpenScenes::Slot* OpenScenes::next_to_evict() {
   return next;
 }
 
-OpenScenes::Dropped OpenScenes::keep_to_budget() {
+OpenScenes::Dropped OpenScenes::evict_to_budget() {
   Dropped dropped;
   while (open_bytes() + coats_bytes() > budget_) {
     Slot* slot = next_to_evict();
@@ -83,10 +83,10 @@ void OpenScenes::close(Dropped dropped) const {
     if (on_close_) on_close_(scene->memory().copy_id);
   }
   dropped.clear();
-  give_memory_back();
+  trim_allocator();
 }
 
-Status OpenScenes::has_room() const { return count() < limits::scenes ? Status{} : too_many(); }
+Status OpenScenes::check_scene_limit() const { return count() < limits::scenes ? Status{} : too_many(); }
 
 Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<Status()>& write) {
   Slot slot{scene->id(), scene};
@@ -108,10 +108,10 @@ Status OpenScenes::add(const std::shared_ptr<Scene>& scene, const std::function<
   if (!written.ok()) return written;
   slot.last_use = ++uses_;
   slots_.push_back(std::move(slot));
-  Dropped dropped = keep_to_budget();
+  Dropped dropped = evict_to_budget();
   lock.unlock();
   close(std::move(dropped));
-  give_memory_back();  // memory that preparing the model took
+  trim_allocator();  // memory that preparing the model took
   return {};
 }
 
@@ -134,7 +134,7 @@ Result<std::shared_ptr<Scene>> OpenScenes::find(const std::string& id) {
     slot->last_use = ++uses_;
     scene = slot->scene;
     slot->opening = !scene;
-    dropped = keep_to_budget();
+    dropped = evict_to_budget();
   }
   close(std::move(dropped));
   if (scene) return scene;
@@ -153,7 +153,7 @@ Result<std::shared_ptr<Scene>> OpenScenes::reopen(const std::string& id) {
     if (!scene) return Dropped();
     slot.last_use = ++uses_;
     ++reopened_;
-    return keep_to_budget();
+    return evict_to_budget();
   };
   Result<std::shared_ptr<Scene>> scene = failure(Code::internal, "the scene was not opened");
   try {

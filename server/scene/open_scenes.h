@@ -44,9 +44,9 @@ class OpenScenes {
   void count_coats(std::function<std::size_t()> coat_bytes) { coat_bytes_ = std::move(coat_bytes); }
 
   /// Refuses (conflict) if the number of scenes is at its limit.
-  Status has_room() const;
+  Status check_scene_limit() const;
   /// Adds an open scene. `write` puts the scene into the journal; it is called only if there is room. Refuses as
-  /// has_room does, and fails as `write` does.
+  /// check_scene_limit does, and fails as `write` does.
   Status add(const std::shared_ptr<Scene>& scene, const std::function<Status()>& write = {});
   /// Adds a scene that cannot be opened; `summary` says why.
   void add_damaged(const SceneSummary& summary);
@@ -80,7 +80,7 @@ class OpenScenes {
   Slot* next_to_evict();
   /// Evicts scenes until the open ones fit into the budget. The caller frees the returned scenes without the lock,
   /// because freeing a scene takes long.
-  Dropped keep_to_budget();
+  Dropped evict_to_budget();
 
   Result<std::shared_ptr<Scene>> reopen(const std::string& id);
   void close(Dropped dropped) const;

@@ -48,17 +48,17 @@ std::optional<SurfacePoint> under_pixel(const Surface& surface, const View& view
   return surface.raycast(camera.position, pixel_ray(camera, pixel, view.width, view.height));
 }
 
-std::optional<SurfacePoint> place_of(const Surface& surface, const PickRequest& wanted) {
+std::optional<SurfacePoint> picked_point(const Surface& surface, const PickRequest& wanted) {
   const Mesh& mesh = surface.mesh();
   if (wanted.ray) return surface.raycast(mesh.to_internal(wanted.ray->origin), wanted.ray->direction);
-  if (wanted.farthest) return farthest_place(surface, *wanted.farthest);
+  if (wanted.farthest) return farthest_point(surface, *wanted.farthest);
   if (wanted.nearest) return surface.nearest(mesh.to_internal(*wanted.nearest));
   return under_pixel(surface, wanted.view, wanted.pixel);
 }
 
 Status check_reach(const Mesh& mesh, const PickRequest& wanted) {
-  const auto check = [&](glm::dvec3 place, const char* pointer) {
-    return reachable(mesh.to_internal(place)) ? Status{} : out_of_reach(pointer);
+  const auto check = [&](glm::dvec3 position, const char* pointer) {
+    return reachable(mesh.to_internal(position)) ? Status{} : out_of_reach(pointer);
   };
   if (wanted.ray) return check(wanted.ray->origin, "/ray/origin");
   if (wanted.nearest) return check(*wanted.nearest, "/nearest");
@@ -73,7 +73,7 @@ Status check_reach(const Mesh& mesh, const PickRequest& wanted) {
 Result<PickAnswer> pick(const Surface& surface, const FieldSet& fields, const PickRequest& wanted) {
   const Mesh& mesh = surface.mesh();
   if (Status far = check_reach(mesh, wanted); !far.ok()) return far;
-  const std::optional<SurfacePoint> point = place_of(surface, wanted);
+  const std::optional<SurfacePoint> point = picked_point(surface, wanted);
   PickAnswer answer;
   if (!point) return answer;
   answer.hit = true;

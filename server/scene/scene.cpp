@@ -50,7 +50,7 @@ Scene::Scene(std::string id, std::string name, std::shared_ptr<const SceneModel>
       undo_bytes_(undo_bytes),
       history_(new_history(0, settings != nullptr ? *settings : first_settings(*model))) {
   FieldSet fields = first_groom(model->surface.mesh(), fur);
-  present_ = beginning(std::move(model), std::move(fields), history_, nullptr);
+  present_ = first_snapshot(std::move(model), std::move(fields), history_, nullptr);
 }
 
 /// Makes a history that reads steps beyond the memory budget back from the journal, which has every entry.
@@ -76,15 +76,15 @@ Status Scene::restore(const FieldDelta& first_groom, Revision first,
   });
   auto texture = skin_texture_of(history.settings(), nullptr);
   if (taken.ok() && !texture) taken = texture.status();
-  SnapshotPtr restored = beginning(present_->model, std::move(fields), history, texture ? *texture : nullptr);
-  const Status begun = begin_anew(restored, history, [] { return Status{}; });  // also if it is damaged
+  SnapshotPtr restored = first_snapshot(present_->model, std::move(fields), history, texture ? *texture : nullptr);
+  const Status begun = replace_state(restored, history, [] { return Status{}; });  // also if it is damaged
   return taken.ok() ? begun : taken;
 }
 
 void Scene::quarantine(const std::string& why) {
   const std::lock_guard lock(mutex_);
   damage_ = why;
-  announce();
+  publish_revision();
 }
 
 // Runs the stages of a stroke. Decoding comes before them and drawing after them, each on its own thread.
@@ -96,14 +96,14 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   const Result<Plan> planned = plan(commands, options);
   if (!planned) return planned.status();
   const SceneSnapshot& now = *present_;
-  if (Status too_costly = check_cost(planned->whole, now.settings->symmetry, now.model->surface, *now.fields);
+  if (Status too_costly = check_cost(planned->merged, now.settings->symmetry, now.model->surface, *now.fields);
       !too_costly.ok())
     return too_costly;
 
   // Evaluate. This is pure: nothing has changed yet.
   const Result<FieldDelta> start = planned->joins ? history_.last_step() : FieldDelta{};
   if (!start) return start.status();
-  Result<Outcome> evaluated = evaluate_batch(planned->whole, *start, now.model->surface, *now.fields, *now.settings,
+  Result<Outcome> evaluated = evaluate_batch(planned->merged, *start, now.model->surface, *now.fields, *now.settings,
                                              now.revision + 1, options.cancel);
   if (!evaluated) return evaluated.status();
   Outcome& outcome = *evaluated;
@@ -113,7 +113,7 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // A following part of this stroke can join the step; any other change ends the stroke.
   LiveStroke live = live_;
   if (commands.size() == 1) {
-    live.accept({planned->whole[0].command, planned->logged[0], planned->joins}, commands[0], changed);
+    live.accept({planned->merged[0].command, planned->to_log[0], planned->joins}, commands[0], changed);
   } else if (changed) {
     live.end();
   }
@@ -121,15 +121,15 @@ Result<CommandAnswer> Scene::execute(const std::vector<Command>& commands, const
   // Commit: first to disk, and only then to the fields and the log. A stroke that changes nothing makes no step.
   if (changed) {
     const EntryKind kind = planned->joins ? EntryKind::join : EntryKind::command;
-    const std::vector<Command> logged = chosen(planned->logged, outcome.effective);
+    const std::vector<Command> to_log = chosen(planned->to_log, outcome.effective);
     const Entry entry{now.revision + 1,
                       kind,
                       0,
-                      encode(logged),
+                      encode(to_log),
                       std::move(outcome.delta),
                       outcome.fields.hash(),
                       outcome.settings,
-                      pictures_read_by(logged),
+                      pictures_read_by(to_log),
                       options.author,
                       options.request};
     Status written = commit(std::span(&entry, 1), std::move(outcome.fields), std::move(live));
@@ -187,27 +187,27 @@ Result<Scene::Plan> Scene::plan(const std::vector<Command>& commands, const Exec
   const Past past{
       *present_->settings, seen, [this](Revision revision) { return fields_at(revision); }, options, pictures, visits};
   for (std::size_t k = 0; k < commands.size(); ++k) {
-    Status parts = commands.size() > 1 ? check_whole(commands[k]) : Status{};
-    Result<Step> step = parts.ok() ? prepare(commands[k], plan.logged, past) : parts;
+    Status parts = commands.size() > 1 ? check_complete_stroke(commands[k]) : Status{};
+    Result<Step> step = parts.ok() ? prepare(commands[k], plan.to_log, past) : parts;
     if (!step) return in_batch(step.status(), k, commands.size());
-    plan.logged.push_back(step->command);
-    plan.whole.push_back(std::move(*step));
+    plan.to_log.push_back(step->command);
+    plan.merged.push_back(std::move(*step));
   }
   if (commands.size() != 1) return plan;
-  Result<LiveStroke::Plan> live = live_.plan(plan.logged.front());
+  Result<LiveStroke::Plan> live = live_.plan(plan.to_log.front());
   if (!live) return live.status();
   if (live->joins) {  // the whole stroke may exceed a limit although no single part does
-    if (Result<Command> checked = resolve(live->whole, present_->model->surface); !checked) return checked.status();
+    if (Result<Command> checked = resolve(live->merged, present_->model->surface); !checked) return checked.status();
   }
-  plan.whole.front().command = std::move(live->whole);
-  plan.logged.front() = std::move(live->unlogged);
+  plan.merged.front().command = std::move(live->merged);
+  plan.to_log.front() = std::move(live->to_log);
   plan.joins = live->joins;
   return plan;
 }
 
 /// Returns a command ready for evaluation: resolved, and with the fields and pictures that it names.
 Result<Step> Scene::prepare(const Command& command, const std::vector<Command>& before, const Past& past) const {
-  const SeenFur fur{past.fields, past.settings.coats, past.visits, past.options.cancel};
+  const VisibleFur fur{past.fields, past.settings.coats, past.visits, past.options.cancel};
   Result<Command> resolved = resolve(command, present_->model->surface, &fur);
   if (!resolved) return resolved.status();
   if (Status missing = check_names(*resolved, before, past.settings); !missing.ok()) return missing;
@@ -285,7 +285,7 @@ void Scene::pose(std::optional<ScenePose> pose) {
   const Mesh& mesh = posed->model->surface.mesh();
   assert(!pose || pose->model->surface.mesh().triangles.size() == mesh.triangles.size());
   posed->pose = pose ? std::make_shared<const ScenePose>(std::move(*pose)) : nullptr;
-  posed->changes = posed->changes.with(whole_range(mesh.positions.size()));
+  posed->changes = posed->changes.with(full_vertex_range(mesh.positions.size()));
   const std::lock_guard lock(mutex_);
   present_ = std::move(posed);
 }
@@ -365,7 +365,7 @@ Result<PickAnswer> Scene::pick(const PickRequest& wanted, const std::string& coa
   const SnapshotPtr now = snapshot();
   const std::vector<NamedCoat>& coats = now->settings->coats;
   const NamedCoat* asked = coat.empty() ? nullptr : find_coat(coats, coat);  // null if the coat was removed meanwhile
-  return pelage::pick(now->model->surface, now->fields->of_coat((asked ? *asked : first_seen(coats)).id), wanted);
+  return pelage::pick(now->model->surface, now->fields->of_coat((asked ? *asked : first_unmuted(coats)).id), wanted);
 }
 
 Status Scene::rename(const std::string& name) {
@@ -381,7 +381,7 @@ Status Scene::remove() {
   if (Status failed = journal_.remove_scene(id_); !failed.ok()) return failed;
   const std::lock_guard lock(mutex_);
   removed_ = true;
-  announce();
+  publish_revision();
   return {};
 }
 

@@ -116,8 +116,8 @@ class Scene {
   std::vector<LogEntry> log() const;
   /// Returns the resolved commands that lead from the first groom to the present state; one element for each undo step.
   std::vector<std::vector<Command>> effective_log() const;
-  /// Returns effective_log() converted for another model (carried_command). The message of an error gives the number of
-  /// the step, from 1.
+  /// Returns effective_log() converted for another model (transferred_command). The message of an error gives the
+  /// number of the step, from 1.
   Result<std::vector<std::vector<Command>>> effective_log_for(const SceneModel& other) const;
   std::shared_ptr<const SceneModel> model() const;
   /// Returns the groom that a retarget takes from this scene, at the given revision or the present one. Refuses
@@ -141,11 +141,11 @@ class Scene {
   Result<SceneSummary> replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur, StoredModel stored,
                                      bool ground = false, const ExecuteOptions& options = {});
 
-  /// Sets a new version of the model and transfers the groom to it (carried_groom). An empty log starts at the next
+  /// Sets a new version of the model and transfers the groom to it (transferred_groom). An empty log starts at the next
   /// revision; `stored` must say that the groom is older than the log (StoredModel::subdivisions). The summary reports
   /// the transfer.
-  Result<SceneSummary> carry_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
-                                const ExecuteOptions& options = {});
+  Result<SceneSummary> transfer_groom_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
+                                         const ExecuteOptions& options = {});
 
   /// Subdivides triangles of the model. Fields, roots and settings stay; checkpoints are dropped. An empty log starts
   /// at the next revision, unless no triangle was chosen: then nothing changes. `id` is the new model's. Refuses
@@ -181,8 +181,8 @@ class Scene {
   /// Commands as they are evaluated and as they are logged. Positions under pixels are resolved in both; the evaluated
   /// ones hold the whole stroke so far.
   struct Plan {
-    std::vector<Step> whole;
-    std::vector<Command> logged;
+    std::vector<Step> merged;
+    std::vector<Command> to_log;
     bool joins = false;
   };
 
@@ -208,8 +208,8 @@ class Scene {
                                                           const SceneSnapshot* present) const;
   /// Returns the snapshot with which a scene begins: a model, its fields, a log, and the texture that its settings
   /// name.
-  SnapshotPtr beginning(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
-                        std::shared_ptr<const RawImage> skin_texture) const;
+  SnapshotPtr first_snapshot(std::shared_ptr<const SceneModel> model, FieldSet fields, const History& history,
+                             std::shared_ptr<const RawImage> skin_texture) const;
 
   // The caller of these must hold a turn (ChangeTurns).
   Result<Plan> plan(const std::vector<Command>& commands, const ExecuteOptions& options) const;
@@ -221,10 +221,10 @@ class Scene {
                      const ExecuteOptions& options) const;
   Result<Entry> entry_of(const HistoryMove& move) const;
   Result<FieldSet> fields_at(Revision revision) const;
-  Status begin_anew(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write);
-  Result<SceneSummary> begin_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
-                                  FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
-                                  Status (Journal::*write)(const StoredScene&));
+  Status replace_state(SnapshotPtr& snapshot, History& history, const std::function<Status()>& write);
+  Result<SceneSummary> restart_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
+                                    FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
+                                    Status (Journal::*write)(const StoredScene&));
   Result<Step> with_baseline(Command command, const Past& past) const;
   Status check_names(const Command& command, const std::vector<Command>& before, SceneSettings settings) const;
   CommandAnswer answer(std::vector<CommandResult> results) const;
@@ -239,7 +239,7 @@ class Scene {
   Status gone() const;
   // The caller of these must hold a turn or `mutex_`.
   Status check_revision(Revision revision, const std::string& pointer = "/revision") const;
-  void announce() noexcept;  // the caller must hold `mutex_`
+  void publish_revision() noexcept;  // the caller must hold `mutex_`
   History new_history(Revision first, SceneSettings settings) const;
 
   const std::string id_;

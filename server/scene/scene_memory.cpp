@@ -10,7 +10,8 @@ namespace pelage {
 
 std::size_t bytes_of(const SceneModel& model) {
   std::size_t bytes = sizeof(SceneModel) + model.surface.bytes();
-  bytes += model.patches.points.capacity() * sizeof(PatchPoint) + model.patches.pieces.capacity() * sizeof(Piece);
+  bytes += model.patches.points.capacity() * sizeof(PatchPoint) +
+           model.patches.patch_triangles.capacity() * sizeof(PatchTriangle);
   for (const ChosenTriangles& chosen : model.subdivisions) bytes += chosen.capacity() * sizeof(TriangleRun);
   return bytes;
 }
@@ -20,16 +21,16 @@ SceneMemory Scene::memory() const noexcept {
   std::size_t own = sizeof(Scene) + present_->fields->bytes() + history_.bytes();  // recent changes are small
   if (present_->skin_texture) own += present_->skin_texture->rgba.capacity();
   const SceneModel& model = *present_->model;
-  return {own, model.id, bytes_of(model), present_->copy_id, live_.goes_on()};
+  return {own, model.id, bytes_of(model), present_->copy_id, live_.is_live()};
 }
 
-void give_memory_back() {
+void trim_allocator() {
 #ifdef __GLIBC__
   malloc_trim(0);
 #endif
 }
 
-void keep_memory_together() {
+void limit_arenas() {
 #ifdef __GLIBC__
   mallopt(M_ARENA_MAX, 2);
 #endif

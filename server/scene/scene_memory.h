@@ -22,10 +22,10 @@ std::size_t bytes_of(const SceneModel& model);
 
 /// Makes the allocator return the freed memory that it holds to the system. Called after a scene is evicted and after a
 /// model is prepared, which takes several times the model's own memory.
-void give_memory_back();
+void trim_allocator();
 
 /// Limits the allocator to two arenas, so that memory freed by threads can be returned to the system. Must be called
 /// before any thread starts. With an arena for each thread the server stays a sixth larger after scenes are removed.
-void keep_memory_together();
+void limit_arenas();
 
 }  // namespace pelage

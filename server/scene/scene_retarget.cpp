@@ -35,7 +35,7 @@ Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneMo
   std::vector<std::vector<Command>> steps = commands_of(listed);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     for (Command& command : steps[k]) {
-      Result<Command> carried = carried_command(command, own->surface, other.surface);
+      Result<Command> carried = transferred_command(command, own->surface, other.surface);
       if (!carried) return in_step(carried.status(), k + 1);
       command = std::move(*carried);
     }
@@ -66,32 +66,32 @@ Result<SceneSummary> Scene::subdivide(const Subdivide& how, std::uint64_t id, co
   stored.model.subdivisions = finer->model->subdivisions;
   stored.model.prepare.up = report.up, stored.model.prepare.front = report.front;
   stored.first_groom = difference(FieldSet(finer->fields.size()), finer->fields);
-  return begin_with(stored, finer->model, std::move(finer->fields), now.skin_texture, &Journal::reshape_model);
+  return restart_with(stored, finer->model, std::move(finer->fields), now.skin_texture, &Journal::reshape_model);
 }
 
 namespace {
 
 /// Returns the preparation with the file axes that point up and forward after the model has been rotated.
 PrepareOptions turned_axes(PrepareOptions stored, const TurnModel& how) {
-  const glm::dmat3 turn = turn_of(how.up, how.front) * turn_of(stored.up, stored.front);
-  stored.up = axis_turned_to(turn, Axis::plus_y), stored.front = axis_turned_to(turn, Axis::plus_z);
+  const glm::dmat3 turn = axes_rotation(how.up, how.front) * axes_rotation(stored.up, stored.front);
+  stored.up = axis_mapped_to(turn, Axis::plus_y), stored.front = axis_mapped_to(turn, Axis::plus_z);
   return stored;
 }
 
 SceneSettings turned_settings(const SceneSettings& settings, const Surface& before, const Mesh& after,
                               const glm::dmat3& turn) {
-  const std::vector<glm::dmat3> turns(after.positions.size(), turn);
-  SceneSettings turned = carried_along(settings, before, after, turns);
-  for (Eye& eye : turned.eyes)
+  const std::vector<glm::dmat3> rotations(after.positions.size(), turn);
+  SceneSettings rotated = moved_with_surface(settings, before, after, rotations);
+  for (Eye& eye : rotated.eyes)
     if (eye.look_at) eye.look_at = turn * *eye.look_at;
-  turned.checkpoints.clear();  // their revisions are gone
-  return turned;
+  rotated.checkpoints.clear();  // their revisions are gone
+  return rotated;
 }
 
 }  // namespace
 
 Result<SceneSummary> Scene::turn(const TurnModel& how, std::uint64_t id, const ExecuteOptions& options) {
-  if (how.up == how.front || glm::determinant(turn_of(how.up, how.front)) == 0)
+  if (how.up == how.front || glm::determinant(axes_rotation(how.up, how.front)) == 0)
     return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
   const Result<ChangeTurns::Turn> in_turn = begin_change(options);
   if (!in_turn) return in_turn.status();
@@ -109,12 +109,12 @@ Result<SceneSummary> Scene::turn(const TurnModel& how, std::uint64_t id, const E
 
   const Surface& before = now.model->surface;
   const Mesh& after = (*model)->surface.mesh();
-  const glm::dmat3 turn = turn_of(how.up, how.front);
-  FieldSet fields = turned(*now.fields, before.mesh(), after, turn, now.settings->layers);
+  const glm::dmat3 turn = axes_rotation(how.up, how.front);
+  FieldSet fields = rotated(*now.fields, before.mesh(), after, turn, now.settings->layers);
   const auto settings = std::make_shared<const SceneSettings>(turned_settings(*now.settings, before, after, turn));
   stored->first_revision = now.revision + 1, stored->first_settings = settings, stored->request = options.request;
   stored->first_groom = difference(FieldSet(fields.size()), fields);
-  return begin_with(*stored, *model, std::move(fields), now.skin_texture, &Journal::reshape_model);
+  return restart_with(*stored, *model, std::move(fields), now.skin_texture, &Journal::reshape_model);
 }
 
 Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel>& model, FirstGroom fur,
@@ -126,32 +126,32 @@ Result<SceneSummary> Scene::replace_model(const std::shared_ptr<const SceneModel
   const auto settings = std::make_shared<const SceneSettings>(first_settings(*model, ground));
   const StoredScene scene{
       id_, name_, std::move(stored), present_->revision + 1, difference(FieldSet(fields.size()), fields), settings, {}};
-  return begin_with(scene, model, std::move(fields), nullptr, &Journal::replace_model);
+  return restart_with(scene, model, std::move(fields), nullptr, &Journal::replace_model);
 }
 
-Result<SceneSummary> Scene::carry_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
-                                     const ExecuteOptions& options) {
+Result<SceneSummary> Scene::transfer_groom_to(const std::shared_ptr<const SceneModel>& model, StoredModel stored,
+                                              const ExecuteOptions& options) {
   const Result<ChangeTurns::Turn> turn = begin_change(options);
   if (!turn) return turn.status();
   const SceneSnapshot& now = *present_;
-  CarriedGroom groom = carried_groom(now, *model);
+  TransferredGroom groom = transferred_groom(now, *model);
   const auto settings = std::make_shared<const SceneSettings>(std::move(groom.settings));
   const auto texture = settings->skin_texture.empty() ? nullptr : now.skin_texture;
   const StoredScene scene{
       id_,      name_, std::move(stored), now.revision + 1, difference(FieldSet(groom.fields.size()), groom.fields),
       settings, {}};
-  Result<SceneSummary> summary = begin_with(scene, model, std::move(groom.fields), texture, &Journal::replace_model);
+  Result<SceneSummary> summary = restart_with(scene, model, std::move(groom.fields), texture, &Journal::replace_model);
   if (summary) summary->carried = groom.report;
   return summary;
 }
 
 /// Restarts the scene with an empty log, as `stored` says; `write` puts that into the journal.
-Result<SceneSummary> Scene::begin_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
-                                       FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
-                                       Status (Journal::*write)(const StoredScene&)) {
+Result<SceneSummary> Scene::restart_with(const StoredScene& stored, const std::shared_ptr<const SceneModel>& model,
+                                         FieldSet fields, std::shared_ptr<const RawImage> skin_texture,
+                                         Status (Journal::*write)(const StoredScene&)) {
   History history = new_history(stored.first_revision, *stored.first_settings);
-  SnapshotPtr fresh = beginning(model, std::move(fields), history, std::move(skin_texture));
-  Status begun = begin_anew(fresh, history, [&] { return (journal_.*write)(stored); });
+  SnapshotPtr fresh = first_snapshot(model, std::move(fields), history, std::move(skin_texture));
+  Status begun = replace_state(fresh, history, [&] { return (journal_.*write)(stored); });
   return begun.ok() ? Result<SceneSummary>(summary()) : begun;
 }
 

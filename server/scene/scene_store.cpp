@@ -67,7 +67,7 @@ struct SceneStore::Impl {
   using Restored = std::pair<std::shared_ptr<Scene>, Status>;
   Result<Restored> restored(const std::string& id);
   Result<std::shared_ptr<Scene>> opened(const std::string& id);
-  Result<PictureAnswer> keep_map(std::span<const std::byte> bytes, const Cancel& cancel);
+  Result<PictureAnswer> store_map(std::span<const std::byte> bytes, const Cancel& cancel);
   Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
 };
 
@@ -143,7 +143,7 @@ Result<std::unique_ptr<SceneStore>> SceneStore::open(const std::string& data_fol
 }
 
 Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request, const std::optional<KeyedRequest>& keyed) {
-  if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
+  if (Status full = impl_->scenes.check_scene_limit(); !full.ok()) return full;
   const std::shared_ptr<const RawModel> raw = impl_->builtins.model(request.model);
   StoredModel how{.name = json_names::word_of(json_names::builtins, request.model.shape),
                   .raw = encode_raw_model(*raw),
@@ -157,7 +157,7 @@ Result<std::shared_ptr<Scene>> SceneStore::create(const NewScene& request, const
 
 Result<std::shared_ptr<Scene>> SceneStore::branch(const Scene& from, const BranchRequest& request,
                                                   const std::optional<KeyedRequest>& keyed) {
-  if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
+  if (Status full = impl_->scenes.check_scene_limit(); !full.ok()) return full;
   Result<std::shared_ptr<Scene>> scene =
       from.branch(random_id(), request.name, request.revision, ++impl_->last_model, keyed);
   if (!scene) return scene;
@@ -204,9 +204,9 @@ Result<StoredScene> only_scene(const Journal& file) {
 
 Result<std::shared_ptr<Scene>> SceneStore::open_saved(std::span<const std::byte> bytes, const std::string& scratch,
                                                       const std::string& name, const Cancel& cancel) try {
-  if (Status full = impl_->scenes.has_room(); !full.ok()) return full;
-  const auto file = Journal::of_rows(scratch, [&](const Journal::TakeRows& take) {
-    return import_saved(impl_->worker, bytes, take, ended_by(cancel));
+  if (Status full = impl_->scenes.check_scene_limit(); !full.ok()) return full;
+  const auto file = Journal::from_rows(scratch, [&](const Journal::TakeRows& take) {
+    return import_saved(impl_->worker, bytes, take, cancellable_limits(cancel));
   });
   if (!file) return file.status().code == Code::invalid ? with_limit(file.status(), exported) : file.status();
   const Result<StoredScene> stored = only_scene(**file);
@@ -221,8 +221,8 @@ Result<std::shared_ptr<Scene>> SceneStore::open_saved(std::span<const std::byte>
       (*file)->copy_scene(stored->id, newest_revision, *impl_->journal, id, named->name, [&] { cancel.check(); });
   if (!copied) return copied.status();
   const Result<Impl::Restored> restored = impl_->restored(id);
-  const Status whole = restored ? restored->second : restored.status();
-  const Status added = whole.ok() ? impl_->scenes.add(restored->first) : whole;
+  const Status intact = restored ? restored->second : restored.status();
+  const Status added = intact.ok() ? impl_->scenes.add(restored->first) : intact;
   if (added.ok()) return restored->first;
   static_cast<void>(impl_->journal->remove_scene(id));  // the earlier error is the one to report
   return added;
@@ -241,7 +241,7 @@ Status SceneStore::health() const { return impl_->journal->health(); }
 std::vector<std::string> SceneStore::damages() const {
   std::vector<std::string> damages;
   for (const LostEntries& lost : impl_->journal->lost()) {
-    damages.push_back("scene " + lost.scene + " was at revision " + std::to_string(lost.told) + " and is " +
+    damages.push_back("scene " + lost.scene + " was at revision " + std::to_string(lost.acknowledged) + " and is " +
                       (lost.present ? "at revision " + std::to_string(*lost.present) : "gone") +
                       ": the end of the journal is lost");
   }
@@ -280,7 +280,7 @@ Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions&
                                               std::span<const std::byte> bytes, ExecuteOptions execute) try {
   const std::vector<ChosenTriangles> groom_before_log(1);  // StoredModel::subdivisions
   const Result<ImportedModel> model =
-      import_for_scene(impl_->worker, ++impl_->last_model, standing_as(*scene.model(), options), bytes, execute.cancel,
+      import_for_scene(impl_->worker, ++impl_->last_model, with_axes_of(*scene.model(), options), bytes, execute.cancel,
                        groom_before_log);
   if (!model) return model.status();
   const bool any_revision = !execute.if_match;
@@ -289,7 +289,7 @@ Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions&
     if (any_revision) execute.if_match = now.revision;
     const auto before = branch(scene, {name_before(now), now.revision});
     if (!before) return before.status();
-    Result<SceneSummary> summary = scene.carry_to(model->model, model->stored, execute);
+    Result<SceneSummary> summary = scene.transfer_groom_to(model->model, model->stored, execute);
     if (summary) summary->carried->before = (*before)->id();
     if (summary) return summary;
     if (Status removed = remove((*before)->id()); !removed.ok()) return removed;
@@ -348,7 +348,7 @@ Result<CommandAnswer> SceneStore::load_environment(Scene& scene, EnvironmentUplo
   Result<glm::mat3> to_linear = glm::mat3(1);
   if (!how.colour_space.empty()) to_linear = picture_files().linear_from_space(how.colour_space);
   if (!to_linear) return to_linear.status();
-  Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, ended_by(execute.cancel));
+  Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, cancellable_limits(execute.cancel));
   if (!harmonics) return harmonics.status();
   for (glm::dvec3& one : *harmonics) one = glm::dmat3(*to_linear) * one;  // valid: they are linear in the light
   how.environment.harmonics = *harmonics;
@@ -357,28 +357,28 @@ Result<CommandAnswer> SceneStore::load_environment(Scene& scene, EnvironmentUplo
 
 Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
                                                     const ExecuteOptions& execute) {
-  const Result<RawImage> picture = import_picture(impl_->worker, bytes, ended_by(execute.cancel));
+  const Result<RawImage> picture = import_picture(impl_->worker, bytes, cancellable_limits(execute.cancel));
   if (!picture) return picture.status();
-  return lay_skin_texture(scene, *picture, execute);
+  return store_skin_texture(scene, *picture, execute);
 }
 
 Result<CommandAnswer> SceneStore::load_guides(Scene& scene, const GuideUpload& upload, std::span<const std::byte> bytes,
                                               const ExecuteOptions& execute) {
-  const Result<GuideFile> file = import_guides(impl_->worker, upload.format, bytes, ended_by(execute.cancel));
+  const Result<GuideFile> file = import_guides(impl_->worker, upload.format, bytes, cancellable_limits(execute.cancel));
   if (!file) return file.status();
   return follow_guides(scene, upload, *file, execute);
 }
 
-Result<CommandAnswer> SceneStore::lay_skin_texture(Scene& scene, const RawImage& picture,
-                                                   const ExecuteOptions& execute) {
+Result<CommandAnswer> SceneStore::store_skin_texture(Scene& scene, const RawImage& picture,
+                                                     const ExecuteOptions& execute) {
   const std::string bytes = encode_raw_image(picture);
   const std::string name = name_of_picture(bytes);
   if (Status kept = impl_->journal->add_picture(name, bytes); !kept.ok()) return kept;
   return scene.execute({SetSkinTexture{name}}, execute);
 }
 
-Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> bytes, const Cancel& cancel) {
-  const Result<MapPicture> picture = import_map(worker, bytes, ended_by(cancel));
+Result<PictureAnswer> SceneStore::Impl::store_map(std::span<const std::byte> bytes, const Cancel& cancel) {
+  const Result<MapPicture> picture = import_map(worker, bytes, cancellable_limits(cancel));
   if (!picture) return picture.status();
   const std::string kept = encode_map_picture(*picture);
   PictureAnswer answer{name_of_picture(kept), picture->width, picture->height, picture->bits, picture->scale};
@@ -386,13 +386,13 @@ Result<PictureAnswer> SceneStore::Impl::keep_map(std::span<const std::byte> byte
   return answer;
 }
 
-Result<PictureAnswer> SceneStore::keep_picture(std::span<const std::byte> bytes, const Cancel& cancel) {
-  return impl_->keep_map(bytes, cancel);
+Result<PictureAnswer> SceneStore::store_picture(std::span<const std::byte> bytes, const Cancel& cancel) {
+  return impl_->store_map(bytes, cancel);
 }
 
 Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                            const ExecuteOptions& execute) {
-  const Result<PictureAnswer> picture = impl_->keep_map(bytes, execute.cancel);
+  const Result<PictureAnswer> picture = impl_->store_map(bytes, execute.cancel);
   if (!picture) return picture.status();
   ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
   command.tile = upload.tile;

@@ -69,8 +69,8 @@ class SceneStore {
                                   const ExecuteOptions& execute = {});
 
   /// Imports a new version of the scene's model, with the same up and front axes, and transfers the groom to it
-  /// (Scene::carry_to). The scene's state before that is kept as another scene, which the summary names. Refuses
-  /// (conflict) at the limit of scenes.
+  /// (Scene::transfer_groom_to). The scene's state before that is kept as another scene, which the summary names.
+  /// Refuses (conflict) at the limit of scenes.
   Result<SceneSummary> load_version(Scene& scene, const ImportOptions& options, std::span<const std::byte> bytes,
                                     ExecuteOptions execute = {});
 
@@ -100,10 +100,10 @@ class SceneStore {
   Result<CommandAnswer> load_guides(Scene& scene, const GuideUpload& upload, std::span<const std::byte> bytes,
                                     const ExecuteOptions& execute = {});
   /// Stores the picture and names it in a set_skin_texture. Fails as that command does.
-  Result<CommandAnswer> lay_skin_texture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
+  Result<CommandAnswer> store_skin_texture(Scene& scene, const RawImage& picture, const ExecuteOptions& execute = {});
   /// Stores a data picture that commands can name. A picture that no log names is dropped at a restart.
-  Result<PictureAnswer> keep_picture(std::span<const std::byte> bytes, const Cancel& cancel = {});
-  /// Stores a data picture as keep_picture does and applies it as a map (ApplyMap). Fails as that command does.
+  Result<PictureAnswer> store_picture(std::span<const std::byte> bytes, const Cancel& cancel = {});
+  /// Stores a data picture as store_picture does and applies it as a map (ApplyMap). Fails as that command does.
   Result<CommandAnswer> load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
                                  const ExecuteOptions& execute = {});
 

@@ -59,7 +59,7 @@ struct SceneView {
 };
 
 /// Returns the range of all vertices of a model.
-inline std::vector<VertexRange> whole_range(std::size_t vertices) {
+inline std::vector<VertexRange> full_vertex_range(std::size_t vertices) {
   return {{0, static_cast<std::uint32_t>(vertices)}};
 }
 

@@ -186,8 +186,8 @@ class Orienter {
     for (std::uint32_t t = 0; t < soup_.triangles.size(); ++t) {
       if (part_[t] != no_triangle) continue;
       const std::vector<std::uint32_t> members = gather(t);
-      WoundPart part{t, members.size(), box_of(members)};
-      bool turn = should_turn(members, part);
+      OrientedPart part{t, members.size(), box_of(members)};
+      bool turn = should_flip(members, part);
       const auto number = static_cast<std::uint32_t>(report_.parts.size() + 1);
       if (std::find(flipped.begin(), flipped.end(), number) != flipped.end()) turn = !turn;
       for (std::uint32_t member : members) flip_[member] = flip_[member] != turn;
@@ -230,14 +230,14 @@ class Orienter {
     for (std::uint32_t t : members) {
       for (const glm::dvec3& p : corners(t)) positions.push_back(p);
     }
-    return place(positions);
+    return placement_of(positions);
   }
 
   /// Measures of a part's winding, with its current flips.
   struct Winding {
-    double volume = 0;             // signed, with respect to the middle of the box
-    double kept = 0, flipped = 0;  // twice the areas of triangles with the file's winding, and of flipped ones
-    double holes = 0;              // twice the area of flat lids on the holes
+    double volume = 0;                  // signed, with respect to the middle of the box
+    double unflipped = 0, flipped = 0;  // twice the areas of triangles with the file's winding, and of flipped ones
+    double holes = 0;                   // twice the area of flat lids on the holes
     bool open = false;
   };
 
@@ -247,7 +247,7 @@ class Orienter {
       const auto [a, b, c] = corners(t);
       const double sixfold = glm::dot(a - box.centre, glm::cross(b - box.centre, c - box.centre));
       winding.volume += (flip_[t] ? -sixfold : sixfold) / 6;
-      (flip_[t] ? winding.flipped : winding.kept) += glm::length(glm::cross(b - a, c - a));
+      (flip_[t] ? winding.flipped : winding.unflipped) += glm::length(glm::cross(b - a, c - a));
       for (const Neighbour& next : neighbours_[t]) winding.open = winding.open || next.open;
     }
     if (winding.open) winding.holes = holes_of(members);
@@ -288,22 +288,22 @@ class Orienter {
     return area;
   }
 
-  bool should_turn(const std::vector<std::uint32_t>& members, WoundPart& part) const {
-    constexpr double next_to_nothing = 1e-3;      // relative to the cube of the box's diagonal; a ball has 0.1
+  bool should_flip(const std::vector<std::uint32_t>& members, OrientedPart& part) const {
+    constexpr double negligible_volume = 1e-3;    // relative to the cube of the box's diagonal; a ball has 0.1
     constexpr double small_holes = 0.05;          // relative to the part's area
     constexpr std::size_t enough_to_enclose = 8;  // triangles; the volume of fewer is meaningless
     const Winding winding = winding_of(members, part.box);
     const double size = part.box.size;
-    const bool encloses = std::abs(winding.volume) > next_to_nothing * size * size * size;
-    const bool by_volume = winding.volume<0, by_most = winding.flipped> winding.kept;
-    const bool agreed = winding.flipped == 0 || winding.kept == 0;
-    const bool nearly_closed = encloses && winding.holes < small_holes * (winding.kept + winding.flipped);
+    const bool encloses = std::abs(winding.volume) > negligible_volume * size * size * size;
+    const bool by_volume = winding.volume<0, by_area = winding.flipped> winding.unflipped;
+    const bool agreed = winding.flipped == 0 || winding.unflipped == 0;
+    const bool nearly_closed = encloses && winding.holes < small_holes * (winding.unflipped + winding.flipped);
     part.sheet = winding.open && !encloses && members.size() >= enough_to_enclose;
     if (winding.open && agreed && !nearly_closed) {
-      part.doubtful = encloses && by_volume != by_most && members.size() >= enough_to_enclose;
-      return by_most;
+      part.doubtful = encloses && by_volume != by_area && members.size() >= enough_to_enclose;
+      return by_area;
     }
-    return encloses ? by_volume : by_most;
+    return encloses ? by_volume : by_area;
   }
 
   const Soup& soup_;

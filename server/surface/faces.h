@@ -24,7 +24,7 @@ bool has_no_area(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c);
 // Orientation of the parts of a mesh.
 
 /// A part: triangles connected by edges that exactly two triangles share.
-struct WoundPart {
+struct OrientedPart {
   std::uint32_t first = 0;  // lowest triangle number
   std::size_t triangles = 0;
   Placement box;
@@ -37,7 +37,7 @@ struct Orientation {
   std::size_t open_edges = 0;          // edges of one triangle
   std::size_t non_manifold_edges = 0;  // edges of three or more triangles
   std::size_t one_sided_edges = 0;     // edges across which the winding cannot be consistent, as on a Moebius strip
-  std::vector<WoundPart> parts;        // in the order of their first triangles
+  std::vector<OrientedPart> parts;     // in the order of their first triangles
   std::vector<std::uint32_t> part_of;  // for each triangle, its index in `parts`
 };
 

@@ -17,9 +17,9 @@ namespace {
 
 /// Returns whether the ends of an edge, with a position on it, and a third vertex are the corners of a triangle. Three
 /// vertices that are neighbours of each other need not be: they may go around a tube.
-bool is_triangle(const Surface& surface, glm::uvec2 edge, glm::dvec3 place, std::uint32_t third) {
+bool is_triangle(const Surface& surface, glm::uvec2 edge, glm::dvec3 point, std::uint32_t third) {
   constexpr double inside = 0.25;
-  const glm::dvec3 within = glm::mix(place, glm::dvec3(surface.mesh().positions[third]), inside);
+  const glm::dvec3 within = glm::mix(point, glm::dvec3(surface.mesh().positions[third]), inside);
   const glm::uvec3 found = surface.mesh().triangles[surface.nearest(within).triangle];
   const auto has = [&](std::uint32_t v) { return found.x == v || found.y == v || found.z == v; };
   return has(edge.x) && has(edge.y) && has(third);
@@ -27,12 +27,12 @@ bool is_triangle(const Surface& surface, glm::uvec2 edge, glm::dvec3 place, std:
 
 }  // namespace
 
-std::vector<std::uint32_t> corners_around(const Surface& surface, const SurfacePoint& place) {
+std::vector<std::uint32_t> corners_around(const Surface& surface, const SurfacePoint& point) {
   constexpr double on_edge = 1e-6;  // barycentric
-  const glm::uvec3 triangle = surface.mesh().triangles[place.triangle];
+  const glm::uvec3 triangle = surface.mesh().triangles[point.triangle];
   std::vector<std::uint32_t> corners{triangle.x, triangle.y, triangle.z}, holders;
   for (int k = 0; k < 3; ++k) {
-    if (place.barycentric[k] > on_edge) holders.push_back(triangle[k]);
+    if (point.barycentric[k] > on_edge) holders.push_back(triangle[k]);
   }
   if (holders.size() == 1) return holders;
   if (holders.size() != 2) return corners;
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> corners_around(const Surface& surface, const SurfaceP
   for (const std::uint32_t next : surface.neighbours(holders[0])) {
     if (!std::binary_search(others.begin(), others.end(), next)) continue;
     if (std::find(corners.begin(), corners.end(), next) != corners.end()) continue;
-    if (is_triangle(surface, {holders[0], holders[1]}, surface.position(place), next)) corners.push_back(next);
+    if (is_triangle(surface, {holders[0], holders[1]}, surface.position(point), next)) corners.push_back(next);
   }
   return corners;
 }
@@ -49,20 +49,20 @@ namespace {
 
 constexpr double unreached = std::numeric_limits<double>::infinity();
 
-Spread nothing_reached(std::size_t vertices) {
+Spread unreached_spread(std::size_t vertices) {
   return {std::vector<double>(vertices, unreached), std::vector<glm::dvec3>(vertices, glm::dvec3(0))};
 }
 
 /// Returns the sources that are nearest at their vertices, sorted by distance, and stores their distances and vectors.
-std::vector<MonotoneQueue::Place> placed(std::span<const SpreadSource> sources, Spread& spread) {
-  std::vector<MonotoneQueue::Place> places;
+std::vector<MonotoneQueue::Entry> seed_entries(std::span<const SpreadSource> sources, Spread& spread) {
+  std::vector<MonotoneQueue::Entry> entries;
   for (const SpreadSource& source : sources) {
     if (!(source.distance < spread.distance[source.vertex])) continue;
     spread.distance[source.vertex] = source.distance, spread.vector[source.vertex] = source.vector;
-    places.emplace_back(source.distance, source.vertex);
+    entries.emplace_back(source.distance, source.vertex);
   }
-  std::sort(places.begin(), places.end());
-  return places;
+  std::sort(entries.begin(), entries.end());
+  return entries;
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ EdgeSearch::EdgeSearch(const Surface& surface) : surface_(surface) {
   const std::vector<glm::vec3>& positions = surface.mesh().positions;
   const Adjacency& edges = surface.adjacency();
   lengths_.resize(edges.others.size());
-  for_each_run_in_parallel(static_cast<std::uint32_t>(positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
+  for_each_range_in_parallel(static_cast<std::uint32_t>(positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t v = begin; v < end; ++v) {
       for (std::uint32_t e = edges.begin[v]; e < edges.begin[v + 1]; ++e)
         lengths_[e] = glm::distance(glm::dvec3(positions[v]), glm::dvec3(positions[edges.others[e]]));
@@ -86,8 +86,8 @@ Spread EdgeSearch::operator()(std::span<const SpreadSource> sources) const {
   constexpr double bands_a_step = 4, max_bands = 1 << 14;  // narrow, but few enough to scan
   const std::vector<glm::vec3>& normals = surface_.mesh().normals;
   const Adjacency& edges = surface_.adjacency();
-  Spread spread = nothing_reached(normals.size());
-  const std::vector<MonotoneQueue::Place> starts = placed(sources, spread);
+  Spread spread = unreached_spread(normals.size());
+  const std::vector<MonotoneQueue::Entry> starts = seed_entries(sources, spread);
   if (lengths_.empty()) return spread;
   std::vector<std::uint32_t> before(
       normals.size());  // the previous vertex on the shortest path; the vertex itself at sources
@@ -118,8 +118,8 @@ Spread spread_along_edges(const Surface& surface, std::span<const SpreadSource> 
 
 Spread spread_through_space(const Surface& surface, std::span<const SpreadSource> sources) {
   const Mesh& mesh = surface.mesh();
-  Spread spread = nothing_reached(mesh.positions.size());
-  for_each_run_in_parallel(
+  Spread spread = unreached_spread(mesh.positions.size());
+  for_each_range_in_parallel(
       static_cast<std::uint32_t>(mesh.positions.size()), [&](std::uint32_t begin, std::uint32_t end) {
         for (std::uint32_t v = begin; v < end; ++v) {
           for (const SpreadSource& source : sources) {
@@ -144,9 +144,9 @@ class March {
 
   /// Sets the distances of the corners around the centre, for which the straight path is the shortest.
   void start(const SurfacePoint& centre) {
-    const glm::dvec3 place = surface_.position(centre);
+    const glm::dvec3 point = surface_.position(centre);
     for (const std::uint32_t corner : corners_around(surface_, centre)) {
-      offer(corner, glm::distance(place, position(corner)));
+      offer(corner, glm::distance(point, position(corner)));
       known_[corner].settled = true;
     }
   }
@@ -182,7 +182,7 @@ class March {
     bool settled = false;  // the distance will not change
     bool final = false;    // and its neighbours have been updated
   };
-  using Place = std::pair<double, std::uint32_t>;
+  using Entry = std::pair<double, std::uint32_t>;
 
   glm::dvec3 position(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
 
@@ -215,7 +215,7 @@ class March {
   const Surface& surface_;
   double radius_;
   std::unordered_map<std::uint32_t, Known> known_;
-  std::priority_queue<Place, std::vector<Place>, std::greater<>> front_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> front_;
 };
 
 }  // namespace
@@ -225,15 +225,15 @@ double unfolded_distance(double along, double near, double far, double near_dist
   // In the unfolded plane the edge lies on the x axis from its near end; the source is below it, the corner above.
   const double source_x = (near_distance * near_distance - far_distance * far_distance + along * along) / (2 * along);
   const double depth = near_distance * near_distance - source_x * source_x;
-  const double place_x = (near * near - far * far + along * along) / (2 * along);
-  const double height = near * near - place_x * place_x;
+  const double corner_x = (near * near - far * far + along * along) / (2 * along);
+  const double height = near * near - corner_x * corner_x;
   // Rounding may put a source on the edge slightly above it.
   const double rounding = 1e-12 * (near_distance * near_distance + far_distance * far_distance + along * along);
   if (depth < -rounding || !(height > 0)) return unreached;
   const double below = std::sqrt(std::max(depth, 0.0)), above = std::sqrt(height);
-  const double crossing = source_x + (place_x - source_x) * below / (below + above);
+  const double crossing = source_x + (corner_x - source_x) * below / (below + above);
   if (crossing < 0 || crossing > along) return unreached;
-  return std::hypot(place_x - source_x, below + above);
+  return std::hypot(corner_x - source_x, below + above);
 }
 
 std::vector<VertexDistance> distances_within(const Surface& surface, const SurfacePoint& centre, double radius) {

@@ -24,7 +24,7 @@ namespace pelage {
 /// in bands; later bands are kept unsorted (Dial 1969), so that the heap of the current band stays small.
 class MonotoneQueue {
  public:
-  using Place = std::pair<double, std::uint32_t>;
+  using Entry = std::pair<double, std::uint32_t>;
 
   /// Bands have the width `width`, above 0. Pushed distances are at most `reach` beyond what was popped last, except
   /// the first.
@@ -56,19 +56,19 @@ class MonotoneQueue {
   }
 
   /// Removes and returns the nearest vertex. The queue must not be empty.
-  Place pop() {
+  Entry pop() {
     min();
     std::pop_heap(near_.begin(), near_.end(), std::greater<>());
-    const Place place = near_.back();
+    const Entry point = near_.back();
     near_.pop_back();
     --count_;
-    return place;
+    return point;
   }
 
  private:
   double width_;
-  std::vector<std::vector<Place>> bands_;  // indexed by band number modulo the number of bands
-  std::vector<Place> near_;                // heap of band `band_` and earlier ones
+  std::vector<std::vector<Entry>> bands_;  // indexed by band number modulo the number of bands
+  std::vector<Entry> near_;                // heap of band `band_` and earlier ones
   std::uint64_t band_ = 0;
   std::size_t count_ = 0;
 };
@@ -94,7 +94,7 @@ inline glm::dvec3 transported(glm::dvec3 v, glm::dvec3 from, glm::dvec3 to) {
 /// Returns the vertices around a position: the corners of the triangle that contains it; on an edge the corners of all
 /// its triangles; at a vertex that vertex alone. Queries may return any of the triangles that contain a position;
 /// searches that start from these vertices do not depend on which.
-std::vector<std::uint32_t> corners_around(const Surface& surface, const SurfacePoint& place);
+std::vector<std::uint32_t> corners_around(const Surface& surface, const SurfacePoint& point);
 
 // Distances over the whole surface from a set of sources, and transport of their directions.
 

@@ -4,7 +4,7 @@
 
 namespace pelage {
 
-void RawModel::lose(const std::string& code, const std::string& name, std::size_t count) {
+void RawModel::add_loss(const std::string& code, const std::string& name, std::size_t count) {
   auto loss = std::find_if(losses.begin(), losses.end(), [&](const Repair& known) { return known.code == code; });
   if (loss == losses.end()) loss = losses.insert(losses.end(), {code, 0});
   loss->count += count;

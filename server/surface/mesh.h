@@ -51,7 +51,7 @@ struct RawModel {
   std::vector<Repair> losses;  // what was left out: missing resources, and faces that are no polygons
 
   /// Counts something that was left out; `name` is "" if it has none.
-  void lose(const std::string& code, const std::string& name, std::size_t count = 1);
+  void add_loss(const std::string& code, const std::string& name, std::size_t count = 1);
 };
 
 // A model ready for grooming: welded, oriented, centred and scaled so that the diagonal of its box is 1.

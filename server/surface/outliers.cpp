@@ -19,7 +19,7 @@ Placement bulk_of(const std::vector<glm::dvec3>& positions) {
     std::nth_element(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(last), line.end());
     high[axis] = line[last];
   }
-  return place({low, high});
+  return placement_of({low, high});
 }
 
 /// Returns the distance between two boxes.
@@ -36,7 +36,7 @@ Outliers find_outliers(const Soup& soup, const Orientation& orientation) {
   if (!(bulk.size > 0)) return outliers;
   for (const glm::dvec3& p : soup.positions) outliers.far_vertices += distance(bulk, p, p) > far * bulk.size ? 1 : 0;
   if (orientation.parts.size() < 2) return outliers;
-  for (const WoundPart& part : orientation.parts) {
+  for (const OrientedPart& part : orientation.parts) {
     outliers.far_parts += distance(bulk, part.box.low, part.box.high) > far * bulk.size ? 1 : 0;
     outliers.tiny_parts += part.box.size < tiny * bulk.size ? 1 : 0;
   }

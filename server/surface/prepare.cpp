@@ -79,8 +79,8 @@ void lift_backs(Mesh& mesh, std::size_t first) {
 
 glm::dvec3 tailward(glm::dvec3 normal) {
   constexpr double vanishing = 1e-4;
-  for (const glm::dvec3 wish : {glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0)}) {
-    const glm::dvec3 tangent = wish - glm::dot(wish, normal) * normal;
+  for (const glm::dvec3 preferred : {glm::dvec3(0, 0, -1), glm::dvec3(0, -1, 0)}) {
+    const glm::dvec3 tangent = preferred - glm::dot(preferred, normal) * normal;
     const double length = glm::length(tangent);
     if (length > vanishing) return tangent / length;
   }
@@ -168,13 +168,13 @@ Soup split_polygons(const RawModel& raw, const Polygons& polygons, const Placeme
 }
 
 /// Centres and scales the mesh by the box of the remaining vertices.
-void settle(Mesh& mesh, const RawModel& raw, const Soup& soup, const glm::dmat3& turn) {
+void centre_and_scale(Mesh& mesh, const RawModel& raw, const Soup& soup, const glm::dmat3& rotation) {
   std::vector<glm::dvec3> positions;
   for (std::uint32_t source : soup.sources) {
-    positions.push_back(turn * raw.positions[source]);
+    positions.push_back(rotation * raw.positions[source]);
     mesh.length_scale.push_back(raw.length_scale.empty() ? 1.0f : raw.length_scale[source]);
   }
-  const Placement placement = place(positions);
+  const Placement placement = placement_of(positions);
   for (const glm::dvec3& p : positions) mesh.positions.emplace_back(placement.to_internal(p));
   mesh.centre = placement.centre;
   mesh.size = mesh.report.size = placement.size;
@@ -182,10 +182,10 @@ void settle(Mesh& mesh, const RawModel& raw, const Soup& soup, const glm::dmat3&
   mesh.report.bounds.max = placement.high;
 }
 
-Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, ModelReport report) {
+Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& rotation, ModelReport report) {
   Mesh mesh;
   mesh.report = std::move(report);
-  settle(mesh, raw, soup, turn);
+  centre_and_scale(mesh, raw, soup, rotation);
   Frames frames = make_frames(soup);
   mesh.normals = std::move(frames.normals);
   mesh.tangents = std::move(frames.tangents);
@@ -207,14 +207,14 @@ Mesh finish(const RawModel& raw, const Soup& soup, const glm::dmat3& turn, Model
 namespace {
 
 /// Returns the parts for the report with the flag `is_named`, with centres in the file's coordinates.
-std::vector<NumberedPart> numbered_parts(const Orientation& orientation, bool WoundPart::*is_named,
-                                         const Placement& placement, const glm::dmat3& turn) {
+std::vector<NumberedPart> numbered_parts(const Orientation& orientation, bool OrientedPart::*is_named,
+                                         const Placement& placement, const glm::dmat3& rotation) {
   std::vector<NumberedPart> named;
   for (std::size_t i = 0; i < orientation.parts.size(); ++i) {
-    const WoundPart& part = orientation.parts[i];
+    const OrientedPart& part = orientation.parts[i];
     if (!(part.*is_named)) continue;
     const glm::dvec3 centre = part.box.centre * placement.size + placement.centre;
-    named.push_back({static_cast<int>(i + 1), part.triangles, glm::transpose(turn) * centre});
+    named.push_back({static_cast<int>(i + 1), part.triangles, glm::transpose(rotation) * centre});
   }
   return named;
 }
@@ -241,13 +241,13 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options) {
   return std::move(prepared->mesh);
 }
 
-glm::dmat3 turn_of(Axis up, Axis front) {
+glm::dmat3 axes_rotation(Axis up, Axis front) {
   const glm::dvec3 y = direction_of(up), z = direction_of(front);
   return glm::transpose(glm::dmat3(glm::cross(y, z), y, z));
 }
 
-Axis axis_turned_to(const glm::dmat3& turn, Axis to) {
-  const glm::dvec3 from = glm::transpose(turn) * direction_of(to);
+Axis axis_mapped_to(const glm::dmat3& rotation, Axis to) {
+  const glm::dvec3 from = glm::transpose(rotation) * direction_of(to);
   int line = 0;
   for (int k = 1; k < 3; ++k)
     if (std::abs(from[k]) > std::abs(from[line])) line = k;
@@ -260,11 +260,11 @@ Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOpti
     return failure(Code::invalid, "up and front lie on the same axis.", "/front", "another axis than up");
   }
   if (Status status = check_triangle_count(raw); !status.ok()) return status;
-  const glm::dmat3 turn = turn_of(up, front);
-  const Result<Polygons> polygons = weld(raw, turn);
+  const glm::dmat3 rotation = axes_rotation(up, front);
+  const Result<Polygons> polygons = weld(raw, rotation);
   if (!polygons.ok()) return polygons.status();
   if (polygons->faces.empty()) return refusal("The model has no face with three finite vertices.");
-  const Placement placement = place(polygons->positions);
+  const Placement placement = placement_of(polygons->positions);
   if (!(placement.size > 0)) return refusal("All vertices of the model lie on one point.");
   if (options.source_is_32_bit) {
     if (Status status = check_precision(placement); !status.ok()) return status;
@@ -284,8 +284,9 @@ Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOpti
   drop_unused(soup);
   const Orientation orientation = orient(soup, options.flipped_parts);
   if (Status status = check_parts(orientation, options); !status.ok()) return status;
-  report.doubtful_parts = numbered_parts(orientation, &WoundPart::doubtful, placement, turn);
-  if (orientation.parts.size() > 1) report.sheets = numbered_parts(orientation, &WoundPart::sheet, placement, turn);
+  report.doubtful_parts = numbered_parts(orientation, &OrientedPart::doubtful, placement, rotation);
+  if (orientation.parts.size() > 1)
+    report.sheets = numbered_parts(orientation, &OrientedPart::sheet, placement, rotation);
   const Outliers outliers = find_outliers(soup, orientation);
   add_repairs(report, {{"repeated_faces", repeated},
                        {"flipped_triangles", orientation.flipped_triangles},
@@ -298,12 +299,12 @@ Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOpti
                        {"unusable_uvs", count_unusable_uvs(raw, soup)}});
   const std::size_t fronts = add_backs(soup, orientation, options.two_sided_parts);
   if (Status status = check_count(soup.triangles.size()); !status.ok()) return status;
-  Mesh mesh = finish(raw, soup, turn, std::move(report));
+  Mesh mesh = finish(raw, soup, rotation, std::move(report));
   lift_backs(mesh, fronts);
   mesh.shading_normals = shading_normals(soup.positions, mesh.triangles, mesh.normals, options.crease_degrees);
   for (const std::uint32_t v : grow_over_creases(mesh.triangles, mesh.shading_normals, mesh.normals))
     mesh.tangents[v] = glm::vec3(tailward(glm::normalize(glm::dvec3(mesh.normals[v]))));
-  return PreparedMesh{std::move(mesh), std::move(soup.sources), turn};
+  return PreparedMesh{std::move(mesh), std::move(soup.sources), rotation};
 }
 
 }  // namespace pelage

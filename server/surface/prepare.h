@@ -22,9 +22,9 @@ struct Frames {
 Frames make_frames(const Soup& soup);
 
 /// Returns the rotation that takes `up` to +Y and `front` to +Z; they must lie on different lines.
-glm::dmat3 turn_of(Axis up, Axis front);
+glm::dmat3 axes_rotation(Axis up, Axis front);
 /// Returns the axis that a rotation takes to `to`. The rotation must map axes to axes.
-Axis axis_turned_to(const glm::dmat3& turn, Axis to);
+Axis axis_mapped_to(const glm::dmat3& rotation, Axis to);
 
 /// Returns the unit tangent that points towards the tail, for a unit normal.
 glm::dvec3 tailward(glm::dvec3 normal);
@@ -59,10 +59,10 @@ Result<Mesh> prepare(const RawModel& raw, const PrepareOptions& options = {});
 struct PreparedMesh {
   Mesh mesh;
   std::vector<std::uint32_t> sources;  // for each vertex: index in RawModel::positions of the first one welded into it
-  glm::dmat3 turn{1};                  // rotation from the file's axes to +Y up and +Z forward
+  glm::dmat3 rotation{1};              // rotation from the file's axes to +Y up and +Z forward
 
   /// Converts a position of the file to internal coordinates.
-  glm::dvec3 to_internal(glm::dvec3 raw) const { return mesh.to_internal(turn * raw); }
+  glm::dvec3 to_internal(glm::dvec3 raw) const { return mesh.to_internal(rotation * raw); }
 };
 Result<PreparedMesh> prepare_with_sources(const RawModel& raw, const PrepareOptions& options = {});
 

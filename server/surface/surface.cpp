@@ -57,21 +57,21 @@ struct PointTree::Ball {
   glm::dvec3 centre;
   double radius;
 
-  bool holds(glm::dvec3 point) const { return distance(centre, point) <= radius; }
-  bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const { return holds(glm::clamp(centre, low, high)); }
+  bool contains(glm::dvec3 point) const { return distance(centre, point) <= radius; }
+  bool may_intersect(glm::dvec3 low, glm::dvec3 high) const { return contains(glm::clamp(centre, low, high)); }
 };
 
 struct PointTree::Capsule {
   glm::dvec3 from, along;  // along = to - from
   double radius;
 
-  bool holds(glm::dvec3 point) const {
+  bool contains(glm::dvec3 point) const {
     const double square = glm::dot(along, along);
     const double share = square > 0 ? std::clamp(glm::dot(point - from, along) / square, 0.0, 1.0) : 0;
     return distance(from + share * along, point) <= radius;
   }
   /// Returns whether the segment intersects the box enlarged by the radius.
-  bool may_hold_of(glm::dvec3 low, glm::dvec3 high) const {
+  bool may_intersect(glm::dvec3 low, glm::dvec3 high) const {
     double enters = 0, leaves = 1;
     for (int axis = 0; axis < 3; ++axis) {
       const double before = low[axis] - radius - from[axis], beyond = high[axis] + radius - from[axis];
@@ -100,10 +100,10 @@ template <class Shape>
 void PointTree::search(std::span<const glm::vec3> points, const Shape& shape, std::size_t node, std::size_t begin,
                        std::size_t end, std::vector<std::uint32_t>& found) const {
   const Box& box = boxes_[node];
-  if (!shape.may_hold_of(glm::dvec3(box.low), glm::dvec3(box.high))) return;
+  if (!shape.may_intersect(glm::dvec3(box.low), glm::dvec3(box.high))) return;
   if (end - begin <= leaf_size) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (shape.holds(glm::dvec3(points[order_[i]]))) found.push_back(order_[i]);
+      if (shape.contains(glm::dvec3(points[order_[i]]))) found.push_back(order_[i]);
     }
     return;
   }
@@ -114,37 +114,37 @@ void PointTree::search(std::span<const glm::vec3> points, const Shape& shape, st
 
 namespace {
 
-TrianglePoint at(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place, glm::dvec3 barycentric) {
+TrianglePoint at(const std::array<glm::dvec3, 3>& corners, glm::dvec3 position, glm::dvec3 barycentric) {
   const glm::dvec3 point = barycentric.x * corners[0] + barycentric.y * corners[1] + barycentric.z * corners[2];
-  return {barycentric, glm::length(place - point)};
+  return {barycentric, glm::length(position - point)};
 }
 
 /// Returns the nearest point on the side from corner `from` to corner `to`.
-TrianglePoint nearest_on_side(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place, int from, int to) {
+TrianglePoint nearest_on_side(const std::array<glm::dvec3, 3>& corners, glm::dvec3 position, int from, int to) {
   const glm::dvec3 start = corners[static_cast<std::size_t>(from)];
   const glm::dvec3 side = corners[static_cast<std::size_t>(to)] - start;
   const double squared = glm::dot(side, side);
-  const double t = squared > 0 ? std::clamp(glm::dot(place - start, side) / squared, 0.0, 1.0) : 0.0;
+  const double t = squared > 0 ? std::clamp(glm::dot(position - start, side) / squared, 0.0, 1.0) : 0.0;
   glm::dvec3 barycentric(0);
   barycentric[from] = 1 - t;
   barycentric[to] = t;
-  return at(corners, place, barycentric);
+  return at(corners, position, barycentric);
 }
 
 }  // namespace
 
-TrianglePoint nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place) {
-  const glm::dvec3 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], p = place - corners[0];
+TrianglePoint nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, glm::dvec3 position) {
+  const glm::dvec3 e1 = corners[1] - corners[0], e2 = corners[2] - corners[0], p = position - corners[0];
   const glm::dvec3 normal = glm::cross(e1, e2);
   const double squared = glm::dot(normal, normal);
   if (squared > 0) {
     const double v = glm::dot(glm::cross(p, e2), normal) / squared;
     const double w = glm::dot(glm::cross(e1, p), normal) / squared;
-    if (v >= 0 && w >= 0 && v + w <= 1) return at(corners, place, {1 - v - w, v, w});
+    if (v >= 0 && w >= 0 && v + w <= 1) return at(corners, position, {1 - v - w, v, w});
   }
-  TrianglePoint best = nearest_on_side(corners, place, 0, 1);
+  TrianglePoint best = nearest_on_side(corners, position, 0, 1);
   for (const auto& [from, to] : {std::pair{1, 2}, std::pair{2, 0}}) {
-    const TrianglePoint other = nearest_on_side(corners, place, from, to);
+    const TrianglePoint other = nearest_on_side(corners, position, from, to);
     if (other.distance < best.distance) best = other;
   }
   return best;
@@ -283,10 +283,10 @@ Surface& Surface::operator=(Surface&&) noexcept = default;
 const Mesh& Surface::mesh() const { return impl_->mesh; }
 
 std::size_t Surface::bytes() const {
-  const Adjacency& beside = impl_->neighbours;
+  const Adjacency& adjacency = impl_->neighbours;
   return sizeof(Impl) + bytes_of(impl_->mesh) +
          static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, impl_->embree_bytes)) + impl_->points.bytes() +
-         (beside.begin.capacity() + beside.others.capacity()) * sizeof(std::uint32_t);
+         (adjacency.begin.capacity() + adjacency.others.capacity()) * sizeof(std::uint32_t);
 }
 
 std::optional<SurfacePoint> Surface::raycast(glm::dvec3 origin, glm::dvec3 direction) const {

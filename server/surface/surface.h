@@ -54,7 +54,7 @@ struct TrianglePoint {
 };
 
 /// Returns the point of a triangle nearest to a position; triangles degenerated to a line or a point are allowed.
-TrianglePoint nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, glm::dvec3 place);
+TrianglePoint nearest_on_triangle(const std::array<glm::dvec3, 3>& corners, glm::dvec3 position);
 
 // Queries on a mesh: rays, nearest points, vertices in a ball, neighbours.
 

@@ -14,8 +14,8 @@ std::uint64_t mixed(std::uint64_t bits, std::int64_t coordinate) {
 
 }  // namespace
 
-ValueNoise::ValueNoise(glm::dvec3 place) : cell_(glm::floor(place)) {
-  const glm::dvec3 part = place - glm::floor(place);
+ValueNoise::ValueNoise(glm::dvec3 position) : cell_(glm::floor(position)) {
+  const glm::dvec3 part = position - glm::floor(position);
   const glm::dvec3 blend = part * part * (3.0 - 2.0 * part);
   const double share_x[] = {1 - blend.x, blend.x}, share_y[] = {1 - blend.y, blend.y},
                share_z[] = {1 - blend.z, blend.z};
@@ -34,6 +34,6 @@ double ValueNoise::operator()(std::uint64_t seed) const {
   return sum;
 }
 
-double value_noise(glm::dvec3 place, std::uint64_t seed) { return ValueNoise(place)(seed); }
+double value_noise(glm::dvec3 position, std::uint64_t seed) { return ValueNoise(position)(seed); }
 
 }  // namespace pelage

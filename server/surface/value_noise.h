@@ -7,13 +7,14 @@
 
 namespace pelage {
 
-/// Returns value noise: random values in [-1, 1] on the integer lattice, interpolated smoothly. Requires |place| < 1e9.
-double value_noise(glm::dvec3 place, std::uint64_t seed);
+/// Returns value noise: random values in [-1, 1] on the integer lattice, interpolated smoothly. Requires
+/// |position| < 1e9.
+double value_noise(glm::dvec3 position, std::uint64_t seed);
 
 /// Evaluates value noise at one position for several seeds.
 class ValueNoise {
  public:
-  explicit ValueNoise(glm::dvec3 place);
+  explicit ValueNoise(glm::dvec3 position);
   double operator()(std::uint64_t seed) const;
 
  private:

@@ -14,7 +14,7 @@
 
 namespace pelage {
 
-Placement place(const std::vector<glm::dvec3>& positions) {
+Placement placement_of(const std::vector<glm::dvec3>& positions) {
   assert(!positions.empty());
   Placement placement;
   placement.low = placement.high = positions.front();
@@ -42,14 +42,14 @@ std::size_t drop_repeated(Soup& soup) {
   for (std::size_t i = 1; i < keys.size(); ++i) {
     repeated[keys[i][3]] = std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin());
   }
-  Soup kept;
+  Soup remaining;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
-    if (!repeated[t]) kept.add(soup.triangles[t], soup.corners[t], soup.faces[t]);
+    if (!repeated[t]) remaining.add(soup.triangles[t], soup.corners[t], soup.faces[t]);
   }
-  const std::size_t dropped = soup.triangles.size() - kept.triangles.size();
-  kept.positions = std::move(soup.positions);
-  kept.sources = std::move(soup.sources);
-  soup = std::move(kept);
+  const std::size_t dropped = soup.triangles.size() - remaining.triangles.size();
+  remaining.positions = std::move(soup.positions);
+  remaining.sources = std::move(soup.sources);
+  soup = std::move(remaining);
   return dropped;
 }
 
@@ -100,7 +100,7 @@ struct PositionHash {
 
 double largest_coordinate(glm::dvec3 p) { return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
-BadFace badness_of(const RawModel& raw, const Polygons::Face& face) {
+BadFace validity_of(const RawModel& raw, const Polygons::Face& face) {
   if (face.size < 3) return BadFace::corners;
   const auto corners = std::span(raw.corners).subspan(face.begin, face.size);
   const auto all = [&](auto good) { return std::all_of(corners.begin(), corners.end(), good); };
@@ -111,7 +111,7 @@ BadFace badness_of(const RawModel& raw, const Polygons::Face& face) {
 /// Makes the welded vertices in the order in which faces use them.
 class Welder {
  public:
-  Welder(const RawModel& raw, const glm::dmat3& turn, Polygons& out) : raw_(raw), turn_(turn), out_(out) {
+  Welder(const RawModel& raw, const glm::dmat3& rotation, Polygons& out) : raw_(raw), rotation_(rotation), out_(out) {
     out_.vertex.assign(raw.positions.size(), no_position);
   }
 
@@ -119,7 +119,7 @@ class Welder {
   bool add(std::uint32_t source) {
     if (out_.vertex[source] != no_position) return true;
     if (largest_coordinate(raw_.positions[source]) > limits::model_coordinate) return false;
-    const glm::dvec3 position = turn_ * raw_.positions[source] + 0.0;  // -0 + 0 is 0
+    const glm::dvec3 position = rotation_ * raw_.positions[source] + 0.0;  // -0 + 0 is 0
     const auto [entry, is_new] = known_.try_emplace(position, static_cast<std::uint32_t>(out_.positions.size()));
     if (is_new) {
       out_.positions.push_back(position);
@@ -132,21 +132,21 @@ class Welder {
 
  private:
   const RawModel& raw_;
-  const glm::dmat3& turn_;
+  const glm::dmat3& rotation_;
   Polygons& out_;
   std::unordered_map<glm::dvec3, std::uint32_t, PositionHash> known_;
 };
 
 }  // namespace
 
-Result<Polygons> weld(const RawModel& raw, const glm::dmat3& turn) {
+Result<Polygons> weld(const RawModel& raw, const glm::dmat3& rotation) {
   Polygons polygons;
-  Welder welder(raw, turn, polygons);
+  Welder welder(raw, rotation, polygons);
   std::uint32_t begin = 0;
   for (std::uint32_t f = 0; f < raw.face_sizes.size(); ++f) {
     const Polygons::Face face{f, begin, raw.face_sizes[f]};
     begin += face.size;
-    const BadFace bad = badness_of(raw, face);
+    const BadFace bad = validity_of(raw, face);
     ++polygons.bad_faces[static_cast<std::size_t>(bad)];
     if (bad != BadFace::none) continue;
     for (std::uint32_t i = face.begin; i < begin; ++i) {
@@ -165,13 +165,13 @@ bool is_colour(glm::vec3 c) {
   return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && c.x >= 0 && c.y >= 0 && c.z >= 0;
 }
 
-bool is_place(glm::dvec2 uv) {
+bool is_usable_uv(glm::dvec2 uv) {
   constexpr double farthest = 1e6;  // farther away 32-bit coordinates are too coarse for a texture
   return std::abs(uv.x) <= farthest && std::abs(uv.y) <= farthest;
 }
 
 /// Returns whether the file has no texture coordinates at the corner.
-bool is_left_out(glm::dvec2 uv) { return std::isnan(uv.x); }
+bool has_no_uv(glm::dvec2 uv) { return std::isnan(uv.x); }
 
 LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32_t corner) {
   LookCorner look;
@@ -179,7 +179,7 @@ LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32
   if (!raw.corner_colour.empty() && is_colour(glm::vec3(raw.corner_colour[corner]))) {
     look.colour *= glm::vec3(raw.corner_colour[corner]);
   }
-  if (!raw.corner_uv.empty() && is_place(raw.corner_uv[corner])) {
+  if (!raw.corner_uv.empty() && is_usable_uv(raw.corner_uv[corner])) {
     look.uv = glm::vec2(raw.corner_uv[corner]);
     look.image = material.image;
   }
@@ -190,8 +190,9 @@ LookCorner look_of(const RawModel& raw, const RawMaterial& material, std::uint32
 std::array<LookCorner, 3> look_of_triangle(const RawModel& raw, const RawMaterial& material, glm::uvec3 corners) {
   std::array<LookCorner, 3> looks;
   for (std::size_t k = 0; k < 3; ++k) looks[k] = look_of(raw, material, corners[static_cast<int>(k)]);
-  const bool whole = std::all_of(looks.begin(), looks.end(), [](const LookCorner& look) { return look.image >= 0; });
-  for (LookCorner& look : looks) look.image = whole ? look.image : -1;
+  const bool all_textured =
+      std::all_of(looks.begin(), looks.end(), [](const LookCorner& look) { return look.image >= 0; });
+  for (LookCorner& look : looks) look.image = all_textured ? look.image : -1;
   return looks;
 }
 
@@ -217,7 +218,7 @@ std::vector<std::array<LookCorner, 3>> look_corners(const RawModel& raw, const S
 std::size_t count_unusable_uvs(const RawModel& raw, const Soup& soup) {
   if (raw.corner_uv.empty()) return 0;
   const auto is_unusable = [&](std::uint32_t corner) {
-    return !is_left_out(raw.corner_uv[corner]) && !is_place(raw.corner_uv[corner]);
+    return !has_no_uv(raw.corner_uv[corner]) && !is_usable_uv(raw.corner_uv[corner]);
   };
   return static_cast<std::size_t>(
       std::count_if(soup.corners.begin(), soup.corners.end(), [&](const glm::uvec3& corners) {
@@ -232,7 +233,7 @@ std::vector<std::array<glm::vec2, 3>> texture_corners(const RawModel& raw, const
   for (std::size_t t = 0; t < texture.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec2 uv = raw.corner_uv[soup.corners[t][static_cast<int>(k)]];
-      if (is_place(uv)) texture[t][k] = glm::vec2(uv);
+      if (is_usable_uv(uv)) texture[t][k] = glm::vec2(uv);
     }
   }
   return texture;

@@ -46,7 +46,7 @@ struct Placement {
 };
 
 /// Returns the bounding box of at least one position. Coordinates up to 1e20 do not overflow.
-Placement place(const std::vector<glm::dvec3>& positions);
+Placement placement_of(const std::vector<glm::dvec3>& positions);
 
 // The valid faces of a file with welded vertices.
 
@@ -69,9 +69,9 @@ struct Polygons {
   std::size_t used = 0;  // number of positions of the file that are used
 };
 
-/// Welds vertices of equal position (bit for bit; -0 equals 0) after the rotation `turn`. Refuses (invalid) coordinates
+/// Welds vertices of equal position (bit for bit; -0 equals 0) after `rotation`. Refuses (invalid) coordinates
 /// over the limit.
-Result<Polygons> weld(const RawModel& raw, const glm::dmat3& turn);
+Result<Polygons> weld(const RawModel& raw, const glm::dmat3& rotation);
 
 // The appearance of triangle corners.
 

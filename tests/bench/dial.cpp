@@ -79,7 +79,7 @@ MeasuredView measure_view(Renderer& renderer, const SceneView& scene, const FurF
   fmt::print("  pixels {:.0f}, area {:.0f}, fur {:.2f}, lights {:.0f}, strands {:.0f}, width {:.3f}\n", f.pixels,
              f.area, f.fur_pixels, f.lights, f.strands, f.width_pixels);
   for (const Knobs& one : knobs) {
-    const TimedPicture timed = value_or_end(draw_often(renderer, frame, one, how.repetitions));
+    const TimedPicture timed = value_or_end(draw_timed(renderer, frame, one, how.repetitions));
     measured.cost_ms.push_back(how.threads > 0 ? timed.cost_ms : timed.cpu_ms);
     measured.error.push_back(error_of(truth, timed.picture));
     fmt::print("    {:6} a pixel, light of {}, scale {:.2f}: {:8.2f} ms, FLIP {:.4f}\n", one.raster.strands,
@@ -236,7 +236,7 @@ int main(int count, char** arguments) {
     return 0;
   }
   Calibration machine;
-  if (how.threads > 0) machine.price = value_or_end(measure_price(*opened.renderer));
+  if (how.threads > 0) machine.price = value_or_end(measure_cost_ratio(*opened.renderer));
   judge(*opened.renderer, arguments[2], number("--size", 384), how, machine);
   return 0;
 }

@@ -34,7 +34,7 @@ std::vector<Case> cases(int count) {
 
 void measure_case(const Case& one, const testing::FurredModel& furred, int repetitions) {
   const Mesh& mesh = furred.model.surface.mesh();
-  const FurPieces pieces = make_pieces(mesh, furred.model.patches);
+  const FurTriangles pieces = make_fur_triangles(mesh, furred.model.patches);
   const FurModel model{1, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {}, true};
   FurFields fields{furred.fields.direction(), furred.fields.length(), {}};
   const std::vector<float> half(mesh.positions.size(), 0.5f);

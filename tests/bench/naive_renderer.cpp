@@ -22,7 +22,7 @@ namespace {
 ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
   UploadCount count;
   const Mesh& mesh = model.model.surface.mesh();
-  const FurPieces pieces = make_pieces(mesh, model.model.patches);
+  const FurTriangles pieces = make_fur_triangles(mesh, model.model.patches);
   return ModelBuffers(gl,
                       {model.model.id,
                        mesh.positions,

@@ -125,11 +125,11 @@ class Tile {
 Points strands_of(const Mesh& mesh, const PatchMap& map) {
   const Tile tile;
   Points points;
-  for (const Piece& piece : map.pieces) {
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
     std::array<glm::dvec2, 3> uv;
     glm::dvec3 weight;
     for (int k = 0; k < 3; ++k) {
-      const PatchPoint& point = map.points[piece.points[k]];
+      const PatchPoint& point = map.points[patch_triangle.points[k]];
       uv[static_cast<std::size_t>(k)] = glm::dvec2(point.uv) / Tile::side;
       weight[k] = double{point.weight};
     }
@@ -143,8 +143,9 @@ Points strands_of(const Mesh& mesh, const PatchMap& map) {
       if (v < 0 || w < 0 || v + w > 1) return;
       const glm::dvec3 b(1 - v - w, v, w);
       const glm::i64vec2 whole(glm::floor(at));
-      Random random(mix_bits(i + 1) ^ mix_bits(static_cast<std::uint64_t>(whole.x * 4096 + whole.y)), piece.patch);
-      if (random.uniform() < glm::dot(b, weight)) points.add(mesh, piece.triangle, b);
+      Random random(mix_bits(i + 1) ^ mix_bits(static_cast<std::uint64_t>(whole.x * 4096 + whole.y)),
+                    patch_triangle.patch);
+      if (random.uniform() < glm::dot(b, weight)) points.add(mesh, patch_triangle.triangle, b);
     });
   }
   return points;
@@ -183,9 +184,9 @@ void print_row(const std::string& name, const Mesh& mesh) {
   const double seconds = seconds_of([&] { map = lay_patches(mesh); });
   std::vector<std::pair<double, double>> areas, angles;
   double piece_area = 0, flipped = 0;
-  for (const Piece& piece : map.pieces) {
-    const Stretch stretch = stretch_of(mesh, map, piece);
-    const double area = area_of(mesh, piece.triangle);
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
+    const Stretch stretch = stretch_of(mesh, map, patch_triangle);
+    const double area = area_of(mesh, patch_triangle.triangle);
     areas.emplace_back(std::max(stretch.area(), 1 / std::max(stretch.area(), 1e-6)), area);
     angles.emplace_back(stretch.large / std::max(stretch.small, 1e-6), area);
     piece_area += area;
@@ -193,9 +194,9 @@ void print_row(const std::string& name, const Mesh& mesh) {
   }
   const Spread area = spread_of(areas), angle = spread_of(angles);
   std::printf("| %s | %zu | %u | %.2f | %.2f | %.3f / %.3f | %.3f / %.3f | %.4f | %.3f | %.3f | %.2f |\n", name.c_str(),
-              mesh.triangles.size(), map.patches, double(map.pieces.size()) / double(mesh.triangles.size()),
+              mesh.triangles.size(), map.patches, double(map.patch_triangles.size()) / double(mesh.triangles.size()),
               piece_area / surface_area(mesh), area.mean, area.high, angle.mean, angle.high, flipped / piece_area,
-              density_variation(mesh, map), density_variation(mesh, hard_pieces(map)), seconds);
+              density_variation(mesh, map), density_variation(mesh, with_hard_borders(map)), seconds);
   std::fflush(stdout);
 }
 

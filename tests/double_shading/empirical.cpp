@@ -60,7 +60,7 @@ glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry
          look.specular * lobe(fibre.primary_shift, look.specular_exponent);
 }
 
-double light_behind(ShadingModel model, double facing, double reach) {
+double backlight_fade(ShadingModel model, double facing, double reach) {
   const bool surface =
       model == ShadingModel::lengyel || model == ShadingModel::kajiya || model == ShadingModel::kajiya_kay;
   return surface && facing < 0 ? 1 - std::min(-facing, reach) / reach : 1;

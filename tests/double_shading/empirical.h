@@ -42,6 +42,6 @@ glm::dvec3 scatter_scheuermann(const Look& look, const ScatterGeometry& geometry
 
 /// B of GPU fur eq 1 for a light whose direction has the cosine `facing` to the normal: 1 in front, falling to 0 over
 /// `reach` in (0, 1] behind. Always 1 for models that handle light from behind themselves.
-double light_behind(ShadingModel model, double facing, double reach);
+double backlight_fade(ShadingModel model, double facing, double reach);
 
 }  // namespace pelage

@@ -81,7 +81,7 @@ MovedDirection moved_of(const SceneView& view, const FrameRequest& request) {
 FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   const SnapshotPtr now = scene.snapshot();
   const SceneView view = now->view();
-  const std::vector<VertexRange> all = whole_range(view.fields.size());
+  const std::vector<VertexRange> all = full_vertex_range(view.fields.size());
   sync_scene(renderer_, view, all, moved_of(view, request).get(), request.knobs.method == Method::shells);
   FurFrame frame = make_frame(view, request);
   frame.coat().count = std::min(frame.coat().count, max_count_);
@@ -103,7 +103,7 @@ Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest
   const SnapshotPtr now = scene.snapshot();
   const SceneView view = now->view();
   const Mesh& mesh = view.model.surface.mesh();
-  sync_scene(renderer_, view, whole_range(mesh.positions.size()));
+  sync_scene(renderer_, view, full_vertex_range(mesh.positions.size()));
   const FurFrame frame = make_frame(view, request);
   Result<Backplate> base = renderer_.draw_backplate(frame);
   if (!base) return base.status();

@@ -46,7 +46,7 @@ class Needs : public WithRenderer {
   FrameCounters drawn(const FrameRequest& request) {
     const SnapshotPtr now = scene_->snapshot();
     const auto touched = drawn_ ? now->changes.since(*drawn_) : std::nullopt;
-    sync_scene(*renderer, now->view(), touched.value_or(whole_range(now->fields->size())), nullptr, true);
+    sync_scene(*renderer, now->view(), touched.value_or(full_vertex_range(now->fields->size())), nullptr, true);
     drawn_ = now->changes.number();
     const FurFrame frame = make_frame(now->view(), request);
     DrawTimes times;

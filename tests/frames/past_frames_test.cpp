@@ -91,15 +91,15 @@ TEST_F(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
   EXPECT_EQ(view->snapshot, scene->snapshot()) << "the present as long as it is asked for";
   const FieldsHash asked = hash(*scene);
   execute(*scene, {comb_at(*scene, 5)});
-  ShownFur fur;
-  const Shown newest = show(renderer, fur, scene->snapshot(), request);
-  const Shown shown = show(renderer, fur, view->snapshot, request);
+  RendererCopyStates fur;
+  const ShownScene newest = sync_snapshot(renderer, fur, scene->snapshot(), request);
+  const ShownScene shown = sync_snapshot(renderer, fur, view->snapshot, request);
   EXPECT_EQ(newest.revision(), 1u);
   EXPECT_EQ(shown.revision(), 0u);
   EXPECT_EQ(shown.snapshot->fields->hash(), asked);
   Renderer other{{.threads = 2}};
-  ShownFur none;
-  EXPECT_EQ(renderer.draw(shown.fur)->rgba, other.draw(show(other, none, view->snapshot, request).fur)->rgba)
+  RendererCopyStates none;
+  EXPECT_EQ(renderer.draw(shown.fur)->rgba, other.draw(sync_snapshot(other, none, view->snapshot, request).fur)->rgba)
       << "what a newer snapshot has changed is taken back";
 }
 

@@ -19,19 +19,19 @@ class InTheWind : public WithRenderer {
   FurFrame sync(Renderer& drawer, const FurredModel& model, std::optional<double> time) {
     request.time = time;
     const std::shared_ptr<const void> nobody;  // no owner is needed: the model outlives the snapshot
-    return show(drawer, fur,
-                std::make_shared<const SceneSnapshot>(SceneSnapshot{.model = {nobody, &model.model},
-                                                                    .fields = {nobody, &model.fields},
-                                                                    .settings = {nobody, &model.settings},
-                                                                    .copy_id = model.model.id}),
-                request)
+    return sync_snapshot(drawer, fur,
+                         std::make_shared<const SceneSnapshot>(SceneSnapshot{.model = {nobody, &model.model},
+                                                                             .fields = {nobody, &model.fields},
+                                                                             .settings = {nobody, &model.settings},
+                                                                             .copy_id = model.model.id}),
+                         request)
         .fur;
   }
   Image at(Renderer& drawer, const FurredModel& model, std::optional<double> time) {
     return drawer.draw(sync(drawer, model, time)).value();
   }
 
-  ShownFur fur;
+  RendererCopyStates fur;
   FrameRequest request = small_frame(AutoView::front, 160);
 };
 

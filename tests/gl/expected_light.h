@@ -27,7 +27,7 @@ inline glm::dvec3 stopped(const Look& look, const glm::dvec3& colour, double par
 }
 
 /// Transmittance of randomly placed strands, N on average: the sum over n of e^-N N^n / n! (1 - stopped)^n.
-inline glm::dvec3 let_through(const Look& look, double strands, const glm::dvec3& colour) {
+inline glm::dvec3 transmittance_of(const Look& look, double strands, const glm::dvec3& colour) {
   return glm::exp(-strands * stopped(look, colour));
 }
 
@@ -38,14 +38,14 @@ inline double from_all_around(double a) {
 
 /// Length of the path out of the fur, over the height of the fur above. The fur covers a ball to a tenth of its radius;
 /// the path starts (1 - s) of the fur's height below its surface.
-inline double way_out(const Case& c, const glm::dvec3& direction) {
+inline double exit_path_length(const Case& c, const glm::dvec3& direction) {
   const double facing = glm::dot(glm::dvec3(c.normal), direction), below = 0.1 * (1 - double(c.height)) + 0.005;
   return (std::sqrt(facing * facing + 2 * below) - facing) / below;
 }
 
 inline double strands_crossed(const Case& c, const glm::dvec3& direction) {
   const double along = glm::dot(glm::dvec3(c.tangent), direction);
-  return double(c.above) * std::sqrt(1 - 0.92 * along * along) * way_out(c, direction);
+  return double(c.above) * std::sqrt(1 - 0.92 * along * along) * exit_path_length(c, direction);
 }
 
 /// Strands that a ray to the light crosses. The view ray crosses none, so the strands that both rays share are taken
@@ -56,8 +56,8 @@ inline double strands_to_light(const Coat& coat, const Case& c, const glm::dvec3
   const double width = (coat.width_root + coat.width_tip) / 2,
                by_width = coat.count * width * width / (coat.tile * coat.tile);
   const double widths = double(c.above) / by_width * std::max(glm::dot(tangent, glm::dvec3(c.normal)), 0.15);
-  const double apart =
-      glm::length(glm::cross(tangent, to_camera * way_out(c, to_camera) - to_light * way_out(c, to_light)));
+  const double apart = glm::length(
+      glm::cross(tangent, to_camera * exit_path_length(c, to_camera) - to_light * exit_path_length(c, to_light)));
   const double x = 6 * widths * apart;
   const double shared = (1 + x / 6) / (1 + 2 * x / 3 + x * x / 6);
   return std::max(to_lights - std::sqrt(to_cameras * to_lights) * shared, 0.0);
@@ -103,9 +103,9 @@ inline Expected expected_light(const FurFrame& frame, const FibreShading& shadin
     const Arriving from = arriving_from(light, glm::dvec3(c.place));
     const double facing = glm::dot(normal, from.to_light);
     const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_camera)};
-    const double behind = light_behind(look.shading, facing, look.back_attenuation);
+    const double behind = backlight_fade(look.shading, facing, look.back_attenuation);
     const glm::dvec3 whole = shading.scatter(geometry, colour, double(c.strand)) * from.radiance * behind;
-    sum.direct += whole * let_through(look, strands_to_light(frame.coat(), c, from.to_light), crossed);
+    sum.direct += whole * transmittance_of(look, strands_to_light(frame.coat(), c, from.to_light), crossed);
     sum.unshadowed += whole;
   }
   sum.light = sum.direct + look.ambient * g * colour * glm::max(evaluate(around, normal), 0.0);

@@ -32,7 +32,7 @@ TEST_P(Handles, LiveMoveAndDie) {
 }
 
 TEST_P(Handles, StorageIsCountedUntilItIsGivenBack) {
-  const std::size_t before = gl().held_bytes();
+  const std::size_t before = gl().storage_bytes();
   {
     const Buffer buffer(gl());
     gl().NamedBufferData(buffer.id(), 1000, nullptr, GL_STATIC_DRAW);
@@ -41,11 +41,11 @@ TEST_P(Handles, StorageIsCountedUntilItIsGivenBack) {
     const Texture texture(gl(), GLenum{GL_TEXTURE_2D_ARRAY});
     gl().TextureStorage3D(texture.id(), 3, GL_RGBA8, 4, 4, 5);
     EXPECT_EQ(gl().bytes_of_texture(texture.id()), 4u * 5 * (16 + 4 + 1));
-    EXPECT_EQ(gl().held_bytes() - before, 400u + 420);
+    EXPECT_EQ(gl().storage_bytes() - before, 400u + 420);
     const RenderTarget target(gl(), GL_RGBA32F, 8, 2, true);
-    EXPECT_EQ(gl().held_bytes() - before, 400u + 420 + 16 * (16 + 4));
+    EXPECT_EQ(gl().storage_bytes() - before, 400u + 420 + 16 * (16 + 4));
   }
-  EXPECT_EQ(gl().held_bytes(), before);
+  EXPECT_EQ(gl().storage_bytes(), before);
 }
 
 TEST_P(Handles, TargetsOfEveryKindAreComplete) {

@@ -29,7 +29,7 @@ void main() {
   }
 #ifdef SHADOW_MAPS
   if (asked == 6) {
-    result.r = cast_light(light, fibre.place, open, fibre.normal);
+    result.r = cast_visibility(light, fibre.place, open, fibre.normal);
     result.g = shell_depth(light, fibre.place, open, fibre.height, 1.0, 7.0);
   }
 #endif

@@ -155,7 +155,7 @@ TEST_P(Lighting, PaleFurLetsLightThroughInItsColour) {
   frame.look.self_shadow = 1;
   const std::vector<glm::vec4> values = on_gpu(transmitted, frame, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    ASSERT_LT(apart(values[i], let_through(frame.look, double(of[i].above), glm::dvec3(of[i].colour))), 1e-5);
+    ASSERT_LT(apart(values[i], transmittance_of(frame.look, double(of[i].above), glm::dvec3(of[i].colour))), 1e-5);
   }
   EXPECT_NEAR(values[0].r, std::exp(-2 * (1 - std::exp(-2))), 1e-5);
   EXPECT_GT(values[0].g, 1.3f * values[0].r);

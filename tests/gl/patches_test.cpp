@@ -13,8 +13,8 @@ class SharedFur : public WithRenderer {};
 /// Draws the model with each piece once for every weight.
 Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std::vector<float>& weights) {
   const Mesh& mesh = model.model.surface.mesh();
-  const FurPieces whole = make_pieces(mesh, hard_pieces(model.model.patches));
-  FurPieces pieces;
+  const FurTriangles whole = make_fur_triangles(mesh, with_hard_borders(model.model.patches));
+  FurTriangles pieces;
   for (const float weight : weights) {
     pieces.triangles.insert(pieces.triangles.end(), whole.triangles.begin(), whole.triangles.end());
     for (std::array<FurCorner, 3> corners : whole.corners) {
@@ -44,7 +44,7 @@ TEST_P(SharedFur, PiecesWithSharesMakeOneFur) {
 TEST_P(SharedFur, OverlapsKeepCoverAndColour) {
   const FurredModel model = furred({Builtin::creature, 3000});
   FurredModel hard = furred({Builtin::creature, 3000});
-  hard.model.patches = hard_pieces(hard.model.patches);
+  hard.model.patches = with_hard_borders(hard.model.patches);
   const FrameRequest request = shells_frame(AutoView::three_quarter, 192);
   const Image soft_image = draw(*renderer, model, request), hard_image = draw(*renderer, hard, request);
   EXPECT_NEAR(covered(soft_image), covered(hard_image), 0.01 * covered(hard_image));

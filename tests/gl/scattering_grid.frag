@@ -15,17 +15,17 @@ vec4 given(int layer) { return texelFetch(cases, ivec3(gl_FragCoord.xy, layer), 
 
 // Scattering of a single fibre, without what the bundle adds.
 vec3 once(int model, Fibre fibre, vec3 to_light) {
-  FibreEye eye = fibre_eye(fibre);
-  return scatters_fibres(model) ? scatter_fibre(fibre, eye, to_light, model == model_marschner)
-                                : scatter(model, fibre, eye, to_light);
+  FibreViewTerms view_terms = fibre_view_terms(fibre);
+  return scatters_fibres(model) ? scatter_fibre(fibre, view_terms, to_light, model == model_marschner)
+                                : scatter(model, fibre, view_terms, to_light);
 }
 
 vec4 lobes(int model, Fibre fibre, vec3 to_light) {
-  FibreEye eye = fibre_eye(fibre);
-  float sine_light = -dot(fibre.tangent, to_light), cos_theta = eye.cosine;
-  if (model == model_marschner) cos_theta = cos_half_difference(sine_light, eye.sine);
-  vec4 m = model == model_marschner ? marschner_lobes(sine_light, eye.sine, cos_theta) : longitudinal_lobes(sine_light, eye);
-  return m * azimuthal_lobes(azimuth_between(fibre.tangent, eye.aside, to_light), cos_theta, eye.absorption.r);
+  FibreViewTerms view_terms = fibre_view_terms(fibre);
+  float sine_light = -dot(fibre.tangent, to_light), cos_theta = view_terms.cosine;
+  if (model == model_marschner) cos_theta = cos_half_difference(sine_light, view_terms.sine);
+  vec4 m = model == model_marschner ? marschner_lobes(sine_light, view_terms.sine, cos_theta) : longitudinal_lobes(sine_light, view_terms);
+  return m * azimuthal_lobes(azimuth_between(fibre.tangent, view_terms.aside, to_light), cos_theta, view_terms.absorption.r);
 }
 
 void main() {  // rgb: scattered light, a: B with a reach of a half
@@ -33,6 +33,6 @@ void main() {  // rgb: scattered light, a: B with a reach of a half
   vec3 none = vec3(0.0), to_light = given(2).xyz;
   Fibre fibre = Fibre(none, given(1).xyz, given(0).xyz, given(3).xyz, given(4).rgb, none, 0.0, 0.0, given(4).a, shine);
   result.rgb = once(model, fibre, to_light);
-  result.a = light_behind(model, dot(fibre.normal, to_light), 0.5);
+  result.a = backlight_fade(model, dot(fibre.normal, to_light), 0.5);
   if (by_lobe == 1) result = lobes(model, fibre, to_light);
 }

@@ -243,7 +243,7 @@ TEST_P(Scattering, LightFromBehindAgreesWithTheCpu) {
     const std::vector<glm::vec4> pixels = on_gpu(look, asked, make_scattering_table(look));
     for (std::size_t i = 0; i < asked.size(); ++i) {
       const double facing = glm::dot(glm::dvec3(asked[i].normal), glm::dvec3(asked[i].to_light));
-      ASSERT_NEAR(double(pixels[i].a), light_behind(model, facing, 0.5), 1e-5) << "model " << int(model);
+      ASSERT_NEAR(double(pixels[i].a), backlight_fade(model, facing, 0.5), 1e-5) << "model " << int(model);
     }
   }
 }

@@ -214,14 +214,14 @@ TEST_P(Sorted, OrderOfTrianglesDoesNotMatter) {
   FrameRequest aovs = request;
   aovs.knobs.shells.order = FragmentOrder::four_pass;
   const FloatImage aovs_before = light_of(*renderer, model, aovs);
-  std::reverse(model.model.patches.pieces.begin(), model.model.patches.pieces.end());
+  std::reverse(model.model.patches.patch_triangles.begin(), model.model.patches.patch_triangles.end());
   EXPECT_LT(largest(before, light_of(*renderer, model, request)), 1e-5);
   EXPECT_GT(largest(aovs_before, light_of(*renderer, model, aovs)), 1e-3);  // the order did change
 }
 
 TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
   FurredModel model = furred({Builtin::plane, 2}, {.length = 0.05, .inclination = 0.2});
-  model.model.patches = hard_pieces(model.model.patches);  // so that no two fragments have the same depth
+  model.model.patches = with_hard_borders(model.model.patches);  // so that no two fragments have the same depth
   FrameRequest request = request_of(FragmentOrder::sorted, 64);
   request.camera.automatic = AutoView::top;
   const FloatImage sorted = light_of(*renderer, model, request);

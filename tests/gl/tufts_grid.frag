@@ -8,6 +8,6 @@ layout(location = 0) out vec4 result;
 
 void main() {
   Tuft tuft = tuft_here();
-  result = vec4(tuft_way(tuft, height), gathered(tuft, height));
+  result = vec4(tuft_offset(tuft, height), gathered(tuft, height));
   if (asked == 1) result = vec4(tuft_lean(tuft, height), tuft_share(tuft, height));
 }

@@ -31,7 +31,7 @@ ExitCode branch_scene(Session& session);
 ExitCode show_log(Session& session);
 
 ExitCode draw_frame(Session& session);
-ExitCode pick_place(Session& session);
+ExitCode pick_position(Session& session);
 
 ExitCode export_fur(Session& session);
 ExitCode open_saved(Session& session);

@@ -20,10 +20,11 @@ namespace {
 /// Returns the export parameters after checking them. Without --format, the output's file extension chooses the format;
 /// .glb means `shells`, which any glTF viewer shows.
 Result<Query> checked_export_query(const Options& options) {
-  const std::string ending = std::filesystem::path(options.output).extension().string();
+  const std::string extension = std::filesystem::path(options.output).extension().string();
   Query query = options.export_parameters;
   const bool named = std::any_of(query.begin(), query.end(), [](const auto& each) { return each.first == "format"; });
-  if (!named) query.emplace_back("format", ending == ".glb" ? "shells" : ending.empty() ? "" : ending.substr(1));
+  if (!named)
+    query.emplace_back("format", extension == ".glb" ? "shells" : extension.empty() ? "" : extension.substr(1));
   const auto checked = decode_export_query(query);
   if (checked) return query;
   Status refused = checked.status();
@@ -55,7 +56,7 @@ std::string counts_of(const ExportAnswer& about) {
   return fmt::format("{} triangles", about.triangles);
 }
 
-void print_about(const Options& options, const std::string& about) {
+void print_export(const Options& options, const std::string& about) {
   const auto answer = decode_answer<ExportAnswer>(about);
   if (options.json || !answer) return fmt::print("{}\n", about);
   fmt::print("{}{}: {}, {:.1f} MB\n", options.output, options.dry_run ? " would hold" : "", counts_of(*answer),
@@ -63,27 +64,27 @@ void print_about(const Options& options, const std::string& about) {
 }
 
 /// Streams the answer into the file. `written` becomes false if the file could not be written.
-Result<HttpAnswer> received(Session& session, const std::string& address, NewFile& file, bool& written) {
+Result<HttpAnswer> stream_into_file(Session& session, const std::string& address, NewFile& file, bool& written) {
   std::atomic<std::size_t> bytes = 0;
   const ProgressLine line("exporting", [&bytes]() -> ProgressState {
     return {-1, bytes > 0 ? fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6) : ""};
   });
-  return session.connection().get(address, [&](std::string_view piece) {
-    bytes += piece.size();
-    return written = file.write(piece);
+  return session.connection().get(address, [&](std::string_view chunk) {
+    bytes += chunk.size();
+    return written = file.write(chunk);
   });
 }
 
 ExitCode write_export(Session& session, const std::string& address) {
   NewFile file(session.options().output);
   bool written = true;
-  const auto answer = received(session, address, file, written);
-  if (written) {  // otherwise keep() below reports the file error
+  const auto answer = stream_into_file(session, address, file, written);
+  if (written) {  // otherwise commit() below reports the file error
     const auto accepted = Session::accepted(answer);
     if (!accepted) return report(accepted.status());
   }
-  if (const Status kept = file.keep(); !kept.ok()) return report(kept);
-  print_about(session.options(), header(*answer, "pelage-export"));
+  if (const Status status = file.commit(); !status.ok()) return report(status);
+  print_export(session.options(), header(*answer, "pelage-export"));
   return done;
 }
 
@@ -99,7 +100,7 @@ ExitCode export_fur(Session& session) {
   if (!options.dry_run) return write_export(session, address);
   const auto answer = Session::accepted(session.connection().get(address));
   if (!answer) return report(answer.status());
-  print_about(options, answer->body);
+  print_export(options, answer->body);
   return done;
 }
 

@@ -12,10 +12,10 @@ namespace pelage {
 
 /// Pairs of a file extension, such as ".png", and its format. The first pair has the extension "" and is used for
 /// outputs without an extension, such as standard output.
-using Endings = std::vector<std::pair<std::string, const char*>>;
+using ExtensionFormats = std::vector<std::pair<std::string, const char*>>;
 
 /// Returns the parameters with a `format` added according to the output's file extension, unless they have one already.
-/// Fails (invalid) if the extension is not among `endings`.
-Result<Parameters> with_format(Parameters parameters, const std::string& output, const Endings& endings);
+/// Fails (invalid) if the extension is not among `formats`.
+Result<Parameters> with_format(Parameters parameters, const std::string& output, const ExtensionFormats& formats);
 
 }  // namespace pelage

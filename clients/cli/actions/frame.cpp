@@ -12,12 +12,12 @@ namespace pelage {
 
 namespace {
 
-const Endings frame_endings{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"}, {".jpeg", "jpeg"},
-                            {".webp", "webp"}, {".exr", "exr"}, {".npy", "npy"}};
+const ExtensionFormats frame_formats{{"", "png"},       {".png", "png"}, {".jpg", "jpeg"}, {".jpeg", "jpeg"},
+                                     {".webp", "webp"}, {".exr", "exr"}, {".npy", "npy"}};
 
 /// Checks the request on the client's side too, so that a wrong command line is refused without a server.
 Result<FrameRequest> frame_request_of(const Options& options) {
-  const Result<Parameters> parameters = with_format(options.frame, options.output, frame_endings);
+  const Result<Parameters> parameters = with_format(options.frame, options.output, frame_formats);
   if (!parameters) return parameters.status();
   Result<FrameRequest> request = decode_frame_query(*parameters);
   const Result<Tracing> tracing = decode_tracing_query(options.trace);

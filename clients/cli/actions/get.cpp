@@ -9,7 +9,7 @@ namespace {
 
 /// Returns the URL path: the first argument if it is the only one ("/metrics"), else the second one below the scene
 /// that the first one names.
-Result<std::string> whole_address(Session& session) {
+Result<std::string> url_path_of(Session& session) {
   const Options& options = session.options();
   if (options.address.empty()) return options.scene;
   const Result<std::string> scene = session.scene_path();
@@ -17,21 +17,21 @@ Result<std::string> whole_address(Session& session) {
   return *scene + (options.address.starts_with("/") ? "" : "/") + options.address;
 }
 
-bool print_piece(std::string_view piece) {
-  return std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size() && std::fflush(stdout) == 0;
+bool print_chunk(std::string_view chunk) {
+  return std::fwrite(chunk.data(), 1, chunk.size(), stdout) == chunk.size() && std::fflush(stdout) == 0;
 }
 
 ExitCode get_into_file(Session& session, const std::string& address) {
   NewFile file(session.options().answer);
   bool written = true;
   const auto answer =
-      session.connection().get(address, [&](std::string_view piece) { return written = file.write(piece); });
-  if (written) {  // otherwise keep() below reports the file error
+      session.connection().get(address, [&](std::string_view chunk) { return written = file.write(chunk); });
+  if (written) {  // otherwise commit() below reports the file error
     const auto accepted = Session::accepted(answer);
     if (!accepted) return report(accepted.status());
   }
-  const Status kept = file.keep();
-  return kept.ok() ? done : report(kept);
+  const Status status = file.commit();
+  return status.ok() ? done : report(status);
 }
 
 }  // namespace
@@ -41,10 +41,10 @@ ExitCode get_address(Session& session) {
   if (options.address.empty() && !options.scene.starts_with("/"))
     return report(failure(Code::invalid, "An address begins with /; one of a scene comes after the scene.", "",
                           "as /metrics, or fox settings"));
-  const Result<std::string> address = whole_address(session);
+  const Result<std::string> address = url_path_of(session);
   if (!address) return report(address.status());
   if (options.answer != "-") return get_into_file(session, *address);
-  const auto answer = Session::accepted(session.connection().get(*address, print_piece));
+  const auto answer = Session::accepted(session.connection().get(*address, print_chunk));
   return answer ? done : report(answer.status());
 }
 

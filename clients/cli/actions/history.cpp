@@ -62,11 +62,11 @@ ExitCode amend_step(Session& session) {
   if (!path) return report(path.status());
   RunPlan plan;
   const auto request = amendment(session, *path, plan);
-  if (!request) return report(request.status(), plan.place);
+  if (!request) return report(request.status(), plan.location);
   HttpHeaders headers;
   if (options.if_match) headers.emplace("If-Match", fmt::format("\"{}\"", *options.if_match));
   const std::string address = *path + "/amend" + (options.dry_run ? "?dry_run=1" : "");
-  const auto answer = with_line("replaying the steps after it", [&] {
+  const auto answer = with_progress_line("replaying the steps after it", [&] {
     return Session::accepted(session.connection().post_json(address, encode(*request), headers));
   });
   const ExitCode code = print_change(session, answer, options.file);

@@ -15,11 +15,11 @@ namespace pelage {
 
 namespace {
 
-const Endings guide_endings{{"", "usda"}, {".usda", "usda"}, {".hair", "hair"}, {".json", "json"}};
-const Endings map_endings{{"", "png16"}, {".png", "png16"}, {".exr", "exr"}, {".npy", "npy"}};
+const ExtensionFormats guide_formats{{"", "usda"}, {".usda", "usda"}, {".hair", "hair"}, {".json", "json"}};
+const ExtensionFormats map_formats{{"", "png16"}, {".png", "png16"}, {".exr", "exr"}, {".npy", "npy"}};
 
 /// Returns the map's parameters together with its field, in the form that the decoder checks before anything is sent.
-Query checked_query(const Options& options) {
+Query query_with_field(const Options& options) {
   Query query = options.map_parameters;
   query.emplace_back("field", options.field);
   return query;
@@ -45,13 +45,13 @@ std::string map_address(const std::string& scene_path, const Options& options) {
 
 ExitCode get_map(Session& session) {
   Options options = session.options();
-  const Result<Parameters> parameters = with_format(options.map_parameters, options.output, map_endings);
+  const Result<Parameters> parameters = with_format(options.map_parameters, options.output, map_formats);
   if (!parameters) return report(parameters.status());
   options.map_parameters = *parameters;
-  if (const auto checked = decode_map_query(checked_query(options)); !checked) return report(checked.status());
+  if (const auto checked = decode_map_query(query_with_field(options)); !checked) return report(checked.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  const auto answer = with_line(
+  const auto answer = with_progress_line(
       "drawing the map", [&] { return Session::accepted(session.connection().get(map_address(*path, options))); });
   if (!answer) return report(answer.status());
   if (const Status status = write_file(options.output, answer->body); !status.ok()) return report(status);
@@ -66,7 +66,8 @@ ExitCode get_map(Session& session) {
 
 ExitCode put_map(Session& session) {
   const Options& options = session.options();
-  if (const auto checked = decode_map_upload_query(checked_query(options)); !checked) return report(checked.status());
+  if (const auto checked = decode_map_upload_query(query_with_field(options)); !checked)
+    return report(checked.status());
   const auto bytes = read_file(options.file, limits::picture_bytes);
   if (!bytes) return report(bytes.status(), options.file);
   const auto path = session.scene_path();
@@ -76,7 +77,7 @@ ExitCode put_map(Session& session) {
 
 ExitCode follow_guides(Session& session) {
   const Options& options = session.options();
-  const auto query = with_format(options.guide_parameters, options.file, guide_endings);
+  const auto query = with_format(options.guide_parameters, options.file, guide_formats);
   if (!query) return report(query.status());
   if (const auto checked = decode_guide_query(*query); !checked) return report(checked.status());
   const auto bytes = read_file(options.file, limits::guide_bytes);
@@ -95,9 +96,9 @@ ExitCode put_picture(Session& session) {
   if (!path) return report(path.status());
   const auto answer = put_with_progress(session, *path + "/pictures", *bytes);
   if (!answer) return report(answer.status(), options.file);
-  const auto kept = decode_answer<PictureAnswer>(answer->body);
-  if (!kept) return report(kept.status());
-  fmt::print("{}\n", options.json ? answer->body : kept->picture);
+  const auto uploaded = decode_answer<PictureAnswer>(answer->body);
+  if (!uploaded) return report(uploaded.status());
+  fmt::print("{}\n", options.json ? answer->body : uploaded->picture);
   return done;
 }
 

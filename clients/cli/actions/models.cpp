@@ -19,11 +19,12 @@ namespace pelage {
 namespace {
 
 /// Returns the file extension in lower case without its dot: "obj" for "spot.OBJ".
-std::string ending_of(const std::string& path) {
+std::string extension_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
-  std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
+  std::string extension = dot == std::string::npos ? "" : path.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
 }
 
 /// Returns the query parameters of an import. `format` is that of the bytes sent, "zip" for a packed model.
@@ -71,7 +72,7 @@ Result<PackedModel> packed(const Options& options, const std::string& format) {
 }
 
 /// Returns advice for the user on a model that the server refused. `pose` is the value of --pose.
-std::string next_after(const Status& status, const PackedModel& model, const std::string& pose) {
+std::string advice_on_refusal(const Status& status, const PackedModel& model, const std::string& pose) {
   const auto says = [&](const std::string& word) { return status.message.find(word) != std::string::npos; };
   for (const std::string& file : model.missing)
     if (says(file)) return "put " + file + " beside the model and load it again; the scene is as it was";
@@ -84,7 +85,7 @@ std::string next_after(const Status& status, const PackedModel& model, const std
 
 Result<HttpAnswer> load_into(Session& session, const std::string& scene_path) {
   const Options& options = session.options();
-  const std::string format = options.format.empty() ? ending_of(options.file) : options.format;
+  const std::string format = options.format.empty() ? extension_of(options.file) : options.format;
   if (const auto checked = decode_import_query(import_query(options, format)); !checked) return checked.status();
   const auto model = packed(options, format);
   if (!model) return model.status();
@@ -94,7 +95,7 @@ Result<HttpAnswer> load_into(Session& session, const std::string& scene_path) {
   if (answer) return answer;
   const Status& status = answer.status();
   const bool about_the_file = status.code == Code::invalid && status.pointer.empty();
-  return about_the_file ? with_next(status, next_after(status, *model, options.pose)) : status;
+  return about_the_file ? with_next(status, advice_on_refusal(status, *model, options.pose)) : status;
 }
 
 ExitCode load_model(Session& session) {

@@ -30,7 +30,7 @@ Perform action_of(Action action) {
     case Action::amend: return amend_step;
     case Action::branch: return branch_scene;
     case Action::log: return show_log;
-    case Action::pick: return pick_place;
+    case Action::pick: return pick_position;
     case Action::list: return list_scenes;
     case Action::remove: return remove_scene;
     case Action::info: return describe_scene;

@@ -18,7 +18,7 @@ namespace pelage {
 namespace {
 
 /// Parses "1,2,3" as exactly `count` numbers. `flag` is the option's name without its dashes, for the error.
-Result<std::vector<double>> numbers_of(const std::string& text, std::size_t count, const std::string& flag) {
+Result<std::vector<double>> parse_numbers(const std::string& text, std::size_t count, const std::string& flag) {
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
@@ -39,14 +39,14 @@ glm::dvec3 triple_of(const std::vector<double>& numbers, std::size_t first) {
 
 /// Converts between positions on the command line, model coordinates and fractions of the bounding box, [0, 1], and
 /// formats them as recipes do. Command-line positions are model coordinates with `world`, else fractions.
-class Places {
+class PlaceConverter {
  public:
-  Places(const Bounds& box, bool world) : box_(box), world_(world) {}
+  PlaceConverter(const Bounds& box, bool world) : box_(box), world_(world) {}
 
-  glm::dvec3 position(glm::dvec3 given) const { return world_ ? given : box_.min + given * side(); }
+  glm::dvec3 position(glm::dvec3 given) const { return world_ ? given : box_.min + given * extent(); }
   glm::dvec3 shares(glm::dvec3 position) const {
-    const glm::dvec3 from = position - box_.min, all = side();
-    const auto share = [&](int k) { return all[k] > 0 ? std::round(1e6 * from[k] / all[k]) / 1e6 : 0.0; };
+    const glm::dvec3 offset = position - box_.min, box_size = extent();
+    const auto share = [&](int k) { return box_size[k] > 0 ? std::round(1e6 * offset[k] / box_size[k]) / 1e6 : 0.0; };
     return {share(0), share(1), share(2)};
   }
   /// Formats a position in model coordinates as {"at": [x, y, z]}, in fractions of the box.
@@ -54,76 +54,78 @@ class Places {
   static std::string list(glm::dvec3 v) { return fmt::format("[{}, {}, {}]", v.x + 0, v.y + 0, v.z + 0); }  // no -0
 
  private:
-  glm::dvec3 side() const { return box_.max - box_.min; }
+  glm::dvec3 extent() const { return box_.max - box_.min; }
 
   const Bounds& box_;
   bool world_;
 };
 
 /// A pick request, and the same request as the JSON of a recipe's `pick`.
-struct Question {
+struct PickQuery {
   PickRequest request;
   std::string in_recipe;
 };
 
-Result<Question> pixel_question(const Options& options) {
+Result<PickQuery> pixel_query(const Options& options) {
   const auto view = decode_frame_query(options.frame);
   if (!view) return view.status();
   const PickRequest request{.view = {view->camera, view->width, view->height}, .pixel = {*options.x, *options.y}};
-  return Question{request, encode(request)};
+  return PickQuery{request, encode(request)};
 }
 
-Result<Question> ray_question(const Options& options, const Places& places) {
-  const auto numbers = numbers_of(options.ray, 6, "ray");
+Result<PickQuery> ray_query(const Options& options, const PlaceConverter& places) {
+  const auto numbers = parse_numbers(options.ray, 6, "ray");
   if (!numbers) return numbers.status();
   const PickRay ray{places.position(triple_of(*numbers, 0)), triple_of(*numbers, 3)};
-  return Question{{.ray = ray},
-                  fmt::format(R"({{"ray": {{"origin": {}, "direction": {}}}}})", places.at(ray.origin),
-                              Places::list(ray.direction))};
+  return PickQuery{{.ray = ray},
+                   fmt::format(R"({{"ray": {{"origin": {}, "direction": {}}}}})", places.at(ray.origin),
+                               PlaceConverter::list(ray.direction))};
 }
 
-Result<Question> nearest_question(const Options& options, const Places& places) {
-  const auto numbers = numbers_of(options.nearest, 3, "nearest");
+Result<PickQuery> nearest_query(const Options& options, const PlaceConverter& places) {
+  const auto numbers = parse_numbers(options.nearest, 3, "nearest");
   if (!numbers) return numbers.status();
   const glm::dvec3 position = places.position(triple_of(*numbers, 0));
-  return Question{{.nearest = position}, "{\"nearest\": " + places.at(position) + "}"};
+  return PickQuery{{.nearest = position}, "{\"nearest\": " + places.at(position) + "}"};
 }
 
-Result<Question> farthest_question(const Options& options, const Places& places) {
-  const auto direction = numbers_of(options.farthest, 3, "farthest");
+Result<PickQuery> farthest_query(const Options& options, const PlaceConverter& places) {
+  const auto direction = parse_numbers(options.farthest, 3, "farthest");
   if (!direction) return direction.status();
   PickFarthest farthest{.direction = triple_of(*direction, 0)};
   std::string box;
   if (!options.box.empty()) {
-    const auto corners = numbers_of(options.box, 6, "box");
+    const auto corners = parse_numbers(options.box, 6, "box");
     if (!corners) return corners.status();
     farthest.min = places.position(triple_of(*corners, 0));
     farthest.max = places.position(triple_of(*corners, 3));
     box = fmt::format(R"(, "min": {}, "max": {})", places.at(*farthest.min), places.at(*farthest.max));
   }
-  return Question{{.farthest = farthest},
-                  fmt::format(R"({{"farthest": {{"direction": {}{}}}}})", Places::list(farthest.direction), box)};
+  return PickQuery{
+      {.farthest = farthest},
+      fmt::format(R"({{"farthest": {{"direction": {}{}}}}})", PlaceConverter::list(farthest.direction), box)};
 }
 
-Result<Question> question_of(const Options& options, const Places& places) {
-  if (!options.ray.empty()) return ray_question(options, places);
-  if (!options.nearest.empty()) return nearest_question(options, places);
-  if (!options.farthest.empty()) return farthest_question(options, places);
-  return pixel_question(options);
+Result<PickQuery> query_of(const Options& options, const PlaceConverter& places) {
+  if (!options.ray.empty()) return ray_query(options, places);
+  if (!options.nearest.empty()) return nearest_query(options, places);
+  if (!options.farthest.empty()) return farthest_query(options, places);
+  return pixel_query(options);
 }
 
 /// Prints the position in each form that commands and recipes take.
-void print_forms(const Options& options, const PickAnswer& answer, const Places& places, const Question& question) {
+void print_forms(const Options& options, const PickAnswer& answer, const PlaceConverter& places,
+                 const PickQuery& query) {
   const std::string name = options.place_name.empty() ? "place" : options.place_name;
   fmt::print("in a recipe {}\n", places.at(answer.position));
-  fmt::print("  this model  {}\n", Places::list(answer.position));
+  fmt::print("  this model  {}\n", PlaceConverter::list(answer.position));
   fmt::print("  a sample    {{\"triangle\": {}, \"barycentric\": {}}}\n", answer.triangle,
-             Places::list(answer.barycentric));
-  fmt::print("  a step      {{\"pick\": {}, \"as\": {}}}\n", question.in_recipe, json_text(name));
+             PlaceConverter::list(answer.barycentric));
+  fmt::print("  a step      {{\"pick\": {}, \"as\": {}}}\n", query.in_recipe, json_text(name));
 }
 
 /// Adds the place to the JSON file given by --places.
-Status keep_place(const Options& options, glm::dvec3 shares) {
+Status save_place(const Options& options, glm::dvec3 shares) {
   const auto before = std::filesystem::exists(options.places) ? read_file(options.places, limits::recipe_bytes)
                                                               : Result<std::string>(std::string());
   if (!before) return before.status();
@@ -142,24 +144,24 @@ Result<Bounds> box_of(Session& session, const std::string& path) {
   return summary ? Result<Bounds>(summary->report.bounds) : summary.status();
 }
 
-Result<HttpAnswer> asked(Session& session, const std::string& path, const Question& question) {
-  const std::string body = encode(question.request);
+Result<HttpAnswer> send_pick(Session& session, const std::string& path, const PickQuery& query) {
+  const std::string body = encode(query.request);
   if (const auto checked = decode_pick(body); !checked) return checked.status();
   return Session::accepted(session.connection().post_json(path + "/pick", body));
 }
 
 }  // namespace
 
-ExitCode pick_place(Session& session) {
+ExitCode pick_position(Session& session) {
   const Options& options = session.options();
-  if (const auto checked = question_of(options, {{}, true}); !checked) return report(checked.status());
+  if (const auto checked = query_of(options, {{}, true}); !checked) return report(checked.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
   const auto box = box_of(session, *path);
   if (!box) return report(box.status());
-  const Places places(*box, options.world);
-  const auto question = question_of(options, places);
-  const auto answer = question ? asked(session, *path, *question) : Result<HttpAnswer>(question.status());
+  const PlaceConverter places(*box, options.world);
+  const auto query = query_of(options, places);
+  const auto answer = query ? send_pick(session, *path, *query) : Result<HttpAnswer>(query.status());
   if (!answer) return report(answer.status());
   const auto pick = decode_answer<PickAnswer>(answer->body);
   if (!pick) return report(pick.status());
@@ -169,10 +171,10 @@ ExitCode pick_place(Session& session) {
     if (!options.json) fmt::print("{}\n", pick->strand ? "no skin there" : "nothing there");
     return options.places.empty() ? done : report(failure(Code::invalid, "There is no place to keep."));
   }
-  if (!options.json) print(*pick), print_forms(options, *pick, places, *question);
+  if (!options.json) print(*pick), print_forms(options, *pick, places, *query);
   if (options.places.empty()) return done;
-  const Status kept = keep_place(options, places.shares(pick->position));
-  return kept.ok() ? done : report(kept);
+  const Status saved = save_place(options, places.shares(pick->position));
+  return saved.ok() ? done : report(saved);
 }
 
 }  // namespace pelage

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double longest_wait = 20;  // seconds that one request waits; the server allows at most 25
+constexpr double max_wait_seconds = 20;  // seconds that one request waits; the server allows at most 25
 
 void print_progress(const Options& options, const HttpAnswer& answer, const TraceReport& trace, double seconds) {
   const std::string revision = header(answer, "pelage-revision");
@@ -68,7 +68,7 @@ ExitCode follow_progressive(Session& session, const std::string& path, const std
     const double left = max - seconds();
     if (left <= 0) return done;
     const std::size_t wait = address.find("&wait=");
-    address = fmt::format("{}&wait={:.3f}", address.substr(0, wait), std::min(left, longest_wait));
+    address = fmt::format("{}&wait={:.3f}", address.substr(0, wait), std::min(left, max_wait_seconds));
   }
 }
 

@@ -15,7 +15,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t shown_warnings = 8;
+constexpr std::size_t max_printed_warnings = 8;
 
 void add(RunTotals& totals, const RunStep& step, const CommandAnswer& answer) {
   ++totals.steps;
@@ -23,7 +23,7 @@ void add(RunTotals& totals, const RunStep& step, const CommandAnswer& answer) {
   for (const CommandResult& result : answer.results) {
     totals.touched += result.touched;
     for (const std::string& warning : result.warnings)
-      totals.warnings.push_back(fmt::format("{} ({}, {})", warning, result.op, step.place));
+      totals.warnings.push_back(fmt::format("{} ({}, {})", warning, result.op, step.location));
   }
 }
 
@@ -53,27 +53,27 @@ Status send_step(Session& session, const std::string& path, const RunStep& step,
 ExitCode report_stop(const RunStep& step, const Status& status, const RunTotals& totals) {
   if (totals.steps > 0 && !reports_json())
     fmt::print(stderr, "pelage: {} steps are done, revision {}\n", totals.steps, totals.revision);
-  return report(status, step.place);
+  return report(status, step.location);
 }
 
 ExitCode run_once(Session& session, const std::string& path, const RunPlan& plan) {
   RunTotals totals;
   const ExitCode code = run_steps(session, path, plan, session.options().if_match, totals);
   if (code != done || session.options().json) return code;
-  fmt::print("{}\n", words_of(totals));
-  for (std::size_t k = 0; k < std::min(shown_warnings, totals.warnings.size()); ++k)
+  fmt::print("{}\n", summary_of(totals));
+  for (std::size_t k = 0; k < std::min(max_printed_warnings, totals.warnings.size()); ++k)
     fmt::print("warning: {}\n", totals.warnings[k]);
-  if (totals.warnings.size() > shown_warnings)
-    fmt::print("warning: and {} more; --verbose prints all\n", totals.warnings.size() - shown_warnings);
+  if (totals.warnings.size() > max_printed_warnings)
+    fmt::print("warning: and {} more; --verbose prints all\n", totals.warnings.size() - max_printed_warnings);
   fmt::print("revision {}\n", totals.revision);
   return done;
 }
 
 /// Prints what each command touched in a dry run of the plan, below the command's step.
-void print_tried(const RunPlan& plan, const CommandAnswer& answer) {
+void print_dry_run(const RunPlan& plan, const CommandAnswer& answer) {
   std::size_t number = 0;
   for (const RunStep& step : plan.steps) {
-    fmt::print("{}{}{}\n", step.place, step.pointer.empty() ? "" : " ", step.pointer);
+    fmt::print("{}{}{}\n", step.location, step.pointer.empty() ? "" : " ", step.pointer);
     for (std::size_t k = 0; k < step.commands.size() && number < answer.results.size(); ++k) {
       fmt::print("  ");
       print(answer.results[number++]);
@@ -83,12 +83,12 @@ void print_tried(const RunPlan& plan, const CommandAnswer& answer) {
 }
 
 /// Reports the first step whose assert fails in a dry run.
-ExitCode check_tried(const RunPlan& plan, const CommandAnswer& answer) {
+ExitCode check_dry_run(const RunPlan& plan, const CommandAnswer& answer) {
   auto begin = answer.results.begin();
   for (const RunStep& step : plan.steps) {
     const auto end = begin + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(step.commands.size()),
                                                       answer.results.end() - begin);
-    if (const Status bad = check_asserts(step, {begin, end}); !bad.ok()) return report(bad, step.place);
+    if (const Status bad = check_asserts(step, {begin, end}); !bad.ok()) return report(bad, step.location);
     begin = end;
   }
   return done;
@@ -99,7 +99,7 @@ ExitCode try_steps(Session& session, const std::string& path, const RunPlan& pla
   const Options& options = session.options();
   const auto batch = batch_of(plan.steps);
   if (!batch) return report(batch.status(), options.file);
-  const auto answer = with_line("trying", [&] {
+  const auto answer = with_progress_line("trying", [&] {
     return Session::accepted(
         session.connection().post_json(path + "/commands?dry_run=1", *batch, headers_of(options.if_match, 0)));
   });
@@ -109,13 +109,13 @@ ExitCode try_steps(Session& session, const std::string& path, const RunPlan& pla
   if (options.json)
     fmt::print("{}\n", answer->body);
   else
-    print_tried(plan, *result);
-  return check_tried(plan, *result);
+    print_dry_run(plan, *result);
+  return check_dry_run(plan, *result);
 }
 
 }  // namespace
 
-std::string words_of(const RunTotals& totals) {
+std::string summary_of(const RunTotals& totals) {
   const auto counted = [](std::size_t count, const char* one, const char* more) {
     return fmt::format("{} {}", count, count == 1 ? one : more);
   };
@@ -150,7 +150,7 @@ ExitCode run_file(Session& session) {
   if (!path) return report(path.status());
   if (session.options().watch) return watch_and_run(session, *path);
   RunPlan plan;
-  if (const Status refused = read_steps(session, *path, plan); !refused.ok()) return report(refused, plan.place);
+  if (const Status refused = read_steps(session, *path, plan); !refused.ok()) return report(refused, plan.location);
   return session.options().dry_run ? try_steps(session, *path, plan) : run_once(session, *path, plan);
 }
 

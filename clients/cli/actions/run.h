@@ -25,7 +25,7 @@ ExitCode run_steps(Session& session, const std::string& path, const RunPlan& pla
                    const std::optional<Revision>& if_match, RunTotals& totals);
 
 /// Returns text such as "4 steps, 1234 vertices touched, 1 warning, 0.31 s".
-std::string words_of(const RunTotals& totals);
+std::string summary_of(const RunTotals& totals);
 
 /// Runs the plan; each time one of its files changes, undoes it and runs it again, until Ctrl-C.
 ExitCode watch_and_run(Session& session, const std::string& path);

@@ -40,7 +40,7 @@ ExitCode fill_new_scene(Session& session, const std::string& id) {
 ExitCode wait_for_server(Session& session) {
   constexpr std::chrono::milliseconds pause(200);
   const Stopwatch passed;
-  const auto answer = with_line("waiting for " + session.options().server, [&] {
+  const auto answer = with_progress_line("waiting for " + session.options().server, [&] {
     auto ready = Session::accepted(session.connection().get("/readyz"));
     while (!ready && passed.milliseconds() < 1e3 * session.options().wait_seconds) {
       std::this_thread::sleep_for(pause);
@@ -89,7 +89,7 @@ ExitCode subdivide_model(Session& session) {
   if (const auto checked = decode_subdivide(body); !checked) return report(checked.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  return print_summary(session, with_line("subdividing", [&] {
+  return print_summary(session, with_progress_line("subdividing", [&] {
                          return Session::accepted(session.connection().post_json(*path + "/subdivide", body));
                        }));
 }
@@ -101,7 +101,7 @@ ExitCode turn_model(Session& session) {
   if (const auto checked = decode_turn_model(body); !checked) return report(checked.status());
   const auto path = session.scene_path();
   if (!path) return report(path.status());
-  return print_summary(session, with_line("turning", [&] {
+  return print_summary(session, with_progress_line("turning", [&] {
                          return Session::accepted(session.connection().post_json(*path + "/turn", body));
                        }));
 }

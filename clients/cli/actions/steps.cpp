@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t command_file_bytes = std::size_t{1} << 30;
+constexpr std::size_t max_command_file_bytes = std::size_t{1} << 30;
 
 Result<RecipeRequest> request_of(const Options& options, const std::string& text, RunPlan& plan) {
   const auto read = [&plan](const std::string& file) {
@@ -30,7 +30,7 @@ Result<RecipeRequest> request_of(const Options& options, const std::string& text
 }
 
 /// Rewrites a refusal of the server so that its JSON pointer refers to the file that the message names.
-Status in_file(const Options& options, const Status& refused) {
+Status with_file_pointer(const Options& options, const Status& refused) {
   Status status = refused;
   if (status.pointer.starts_with("/places")) status.message.insert(0, options.places + ": ");
   status.pointer = pointer_in_file(status.pointer);
@@ -41,18 +41,19 @@ Status steps_of_recipe(Session& session, const std::string& path, const std::str
   const auto request = request_of(session.options(), text, plan);
   if (!request) return request.status();
   const auto answer = Session::accepted(session.connection().post_json(path + "/recipe", encode(*request)));
-  if (!answer) return in_file(session.options(), answer.status());
+  if (!answer) return with_file_pointer(session.options(), answer.status());
   const auto recipe = decode_answer<RecipeAnswer>(answer->body);
   if (!recipe) return recipe.status();
   for (const RecipeStep& step : recipe->steps) {
-    const std::string place = fmt::format("step {} of {}, {}", plan.steps.size() + 1, recipe->steps.size(), step.file);
-    plan.steps.push_back({encode(step.commands), step.commands, place, pointer_in_file(step.pointer), step.asserts});
+    const std::string location =
+        fmt::format("step {} of {}, {}", plan.steps.size() + 1, recipe->steps.size(), step.file);
+    plan.steps.push_back({encode(step.commands), step.commands, location, pointer_in_file(step.pointer), step.asserts});
   }
   return {};
 }
 
 /// Decodes `step.text` into `step.commands`.
-Status check(RunStep& step) {
+Status decode_step(RunStep& step) {
   if (step.text.size() > limits::command_body_bytes) {
     return failure(Code::too_large, fmt::format("The step has {} bytes.", step.text.size()), "",
                    fmt::format("at most {} bytes", limits::command_body_bytes));
@@ -70,31 +71,31 @@ Status steps_of_log(const Options& options, const std::string& text, RunPlan& pl
   const auto texts = split_steps(text);
   if (!texts) return texts.status();
   for (const std::string& one : *texts) {
-    const std::string place = fmt::format("step {} of {} of {}", plan.steps.size() + 1, texts->size(), options.file);
-    plan.place = place;
-    RunStep& step = plan.steps.emplace_back(RunStep{one, {}, place, "", {}});
-    if (Status bad = check(step); !bad.ok()) return bad;
+    const std::string location = fmt::format("step {} of {} of {}", plan.steps.size() + 1, texts->size(), options.file);
+    plan.location = location;
+    RunStep& step = plan.steps.emplace_back(RunStep{one, {}, location, "", {}});
+    if (Status bad = decode_step(step); !bad.ok()) return bad;
   }
   return {};
 }
 
 /// Replaces scene names by ids in `retarget` commands, which copy fields from another scene.
-Status name_sources(Session& session, RunStep& step) {
-  bool named = false;
+Status resolve_scene_names(Session& session, RunStep& step) {
+  bool replaced = false;
   for (std::size_t k = 0; k < step.commands.size(); ++k) {
     auto* retarget = std::get_if<Retarget>(&step.commands[k]);
     if (retarget == nullptr) continue;
     const auto id = session.scene_id(retarget->scene);
     if (!id) {
       Status status = id.status();
-      const std::string place = step.commands.size() > 1 ? fmt::format("/commands/{}", k) : "";
-      status.pointer = step.pointer + place + "/scene";
+      const std::string location = step.commands.size() > 1 ? fmt::format("/commands/{}", k) : "";
+      status.pointer = step.pointer + location + "/scene";
       return status;
     }
-    named = named || *id != retarget->scene;
+    replaced = replaced || *id != retarget->scene;
     retarget->scene = *id;
   }
-  if (named) step.text = encode(step.commands);
+  if (replaced) step.text = encode(step.commands);
   return {};
 }
 
@@ -103,13 +104,13 @@ Status name_sources(Session& session, RunStep& step) {
 Status read_steps(Session& session, const std::string& path, RunPlan& plan) {
   const Options& options = session.options();
   plan = {{}, options.file, {options.file}};
-  const auto text = read_file(options.file, command_file_bytes);
+  const auto text = read_file(options.file, max_command_file_bytes);
   if (!text) return text.status();
   Status status = is_recipe(*text) ? steps_of_recipe(session, path, *text, plan) : steps_of_log(options, *text, plan);
   for (RunStep& step : plan.steps) {
     if (!status.ok()) break;
-    plan.place = step.place;
-    status = name_sources(session, step);
+    plan.location = step.location;
+    status = resolve_scene_names(session, step);
   }
   return status;
 }
@@ -121,9 +122,9 @@ Status check_asserts(const RunStep& step, const std::vector<CommandResult>& resu
     const std::uint64_t min = limits.min_vertices.value_or(0);
     if (min <= result.touched && (!limits.max_vertices || result.touched <= *limits.max_vertices)) continue;
     const std::string command = step.commands.size() > 1 ? fmt::format("/commands/{}", limits.command) : "";
-    const std::string most = limits.max_vertices ? fmt::format("to {}", *limits.max_vertices) : "or more";
+    const std::string max_text = limits.max_vertices ? fmt::format("to {}", *limits.max_vertices) : "or more";
     return with_next(failure(Code::invalid, fmt::format("{} touched {} vertices.", result.op, result.touched),
-                             step.pointer + command + "/assert", fmt::format("{} {}", min, most)),
+                             step.pointer + command + "/assert", fmt::format("{} {}", min, max_text)),
                      "look at the picture, and correct the place, the radius or the assert");
   }
   return {};

@@ -14,15 +14,15 @@ namespace pelage {
 struct RunStep {
   std::string text;                  // JSON that is sent to the server
   std::vector<Command> commands;     // decoded from `text`
-  std::string place;                 // for messages: "step 3 of 12, show.json"
+  std::string location;              // for messages: "step 3 of 12, show.json"
   std::string pointer;               // JSON pointer to the step within its file; "" in a log
   std::vector<TouchLimits> asserts;  // limits on the vertices that its commands touch
 };
 
-/// All steps of a run. `place` and `files` are valid even if reading failed.
+/// All steps of a run. `location` and `files` are valid even if reading failed.
 struct RunPlan {
   std::vector<RunStep> steps;
-  std::string place;               // file or step that an error is about
+  std::string location;            // file or step that an error is about
   std::vector<std::string> files;  // files that were read
 };
 

@@ -27,12 +27,12 @@ Result<HttpAnswer> with_progress(std::size_t size, Send send) {
 
 Result<HttpAnswer> put_with_progress(Session& session, const std::string& address, const std::string& bytes) {
   return with_progress(bytes.size(),
-                       [&](const Sent& sent) { return session.connection().put_bytes(address, bytes, sent); });
+                       [&](const SentCallback& sent) { return session.connection().put_bytes(address, bytes, sent); });
 }
 
 Result<HttpAnswer> post_with_progress(Session& session, const std::string& address, const std::string& bytes) {
   return with_progress(bytes.size(),
-                       [&](const Sent& sent) { return session.connection().post_bytes(address, bytes, sent); });
+                       [&](const SentCallback& sent) { return session.connection().post_bytes(address, bytes, sent); });
 }
 
 }  // namespace pelage

@@ -15,7 +15,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::chrono::milliseconds looked_every(100);
+constexpr std::chrono::milliseconds poll_interval(100);
 
 volatile std::sig_atomic_t interrupted = 0;
 
@@ -46,7 +46,7 @@ Stamps stamps_of(const std::vector<std::string>& files) {
 bool wait_for_change(const std::vector<std::string>& files, const Stamps& known) {
   Stamps before = known;
   for (;;) {
-    std::this_thread::sleep_for(looked_every);
+    std::this_thread::sleep_for(poll_interval);
     if (interrupted) return false;
     const Stamps now = stamps_of(files);
     if (now != known && now == before) return true;
@@ -60,7 +60,7 @@ Result<SceneSummary> summary_at(Session& session, const std::string& path) {
 }
 
 /// Undoes all steps since `base`. Fails (precondition) if someone else changed the scene since revision `last`.
-Status take_back(Session& session, const std::string& path, const SceneSummary& base, Revision last) {
+Status undo_since(Session& session, const std::string& path, const SceneSummary& base, Revision last) {
   const auto now = summary_at(session, path);
   if (!now) return now.status();
   if (now->revision != last)
@@ -87,14 +87,14 @@ ExitCode watch_and_run(Session& session, const std::string& path) {
     Status status = read_steps(session, path, plan);
     const Stamps known = stamps_of(plan.files);
     if (status.ok()) {
-      if (const Status refused = take_back(session, path, *base, last); !refused.ok()) return report(refused);
+      if (const Status refused = undo_since(session, path, *base, last); !refused.ok()) return report(refused);
       status = read_steps(session, path, plan);  // again: picks depend on the scene, now undone
     }
     RunTotals totals;
     if (!status.ok())
-      report(status, plan.place);
+      report(status, plan.location);
     else if (run_steps(session, path, plan, {}, totals) == done && !session.options().json)
-      fmt::print("{}, revision {}\n", words_of(totals), totals.revision);
+      fmt::print("{}, revision {}\n", summary_of(totals), totals.revision);
     std::fflush(stdout);
     const auto now = summary_at(session, path);
     if (!now) return report(now.status());

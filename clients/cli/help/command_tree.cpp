@@ -20,8 +20,8 @@ CommandHelp help_of(const CLI::App& app, const std::string& name) {
   CommandHelp help{name, app.get_description(), {}, {}, {}};
   for (const CLI::Option* option : app.get_options([](const CLI::Option*) { return true; }))
     (option->nonpositional() ? help.options : help.arguments).push_back(help_of(*option));
-  for (const CLI::App* below : app.get_subcommands([](const CLI::App*) { return true; }))
-    help.commands.push_back(help_of(*below, (name.empty() ? "" : name + " ") + below->get_name()));
+  for (const CLI::App* subcommand : app.get_subcommands([](const CLI::App*) { return true; }))
+    help.commands.push_back(help_of(*subcommand, (name.empty() ? "" : name + " ") + subcommand->get_name()));
   return help;
 }
 
@@ -31,8 +31,8 @@ CommandHelp tree_of(const CLI::App& app) { return help_of(app, ""); }
 
 std::vector<const CommandHelp*> all_commands(const CommandHelp& root) {
   std::vector<const CommandHelp*> all{&root};
-  for (const CommandHelp& below : root.commands) {
-    const std::vector<const CommandHelp*> more = all_commands(below);
+  for (const CommandHelp& subcommand : root.commands) {
+    const std::vector<const CommandHelp*> more = all_commands(subcommand);
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

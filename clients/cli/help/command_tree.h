@@ -13,7 +13,7 @@ namespace pelage {
 struct OptionHelp {
   std::vector<std::string> names;  // "-o", "--output"; a positional argument has one name without dashes
   std::string words;               // help text
-  std::string preset;              // default value; "" if there is none or the help text states it
+  std::string default_value;       // "" if there is none or the help text states it
   bool takes_value = false;
   bool required = false;
 };

@@ -12,7 +12,7 @@ namespace pelage {
 namespace {
 
 /// Escapes text for roff, so that no line is read as a request and dashes stay plain "-" when copied.
-std::string roff(const std::string& text) {
+std::string roff_escaped(const std::string& text) {
   std::string escaped;
   if (text.starts_with('.') || text.starts_with('\'')) escaped = "\\&";
   for (const char c : text) {
@@ -37,7 +37,7 @@ std::string usage(const CommandHelp& command) {
     const std::string name = upper(argument.names.front());
     line += argument.required ? " " + name : " [" + name + "]";
   }
-  return ".B " + roff(line) + "\n";
+  return ".B " + roff_escaped(line) + "\n";
 }
 
 std::string entry(const OptionHelp& option, bool positional) {
@@ -45,8 +45,8 @@ std::string entry(const OptionHelp& option, bool positional) {
   for (const std::string& name : option.names)
     names += (names.empty() ? "" : ", ") + (positional ? upper(name) : name) +
              (option.takes_value && !positional ? " VALUE" : "");
-  const std::string preset = option.preset.empty() ? "" : " [" + option.preset + "]";
-  return ".TP\n.B " + roff(names) + "\n" + roff(option.words + preset) + "\n";
+  const std::string default_value = option.default_value.empty() ? "" : " [" + option.default_value + "]";
+  return ".TP\n.B " + roff_escaped(names) + "\n" + roff_escaped(option.words + default_value) + "\n";
 }
 
 std::string entries(const CommandHelp& command) {
@@ -59,7 +59,7 @@ std::string entries(const CommandHelp& command) {
 
 std::string examples(const std::string& name) {
   std::string all;
-  for (const std::string& line : examples_of(name)) all += roff(line) + "\n";
+  for (const std::string& line : examples_of(name)) all += roff_escaped(line) + "\n";
   return all.empty() ? "" : ".nf\n.RS\n" + all + ".RE\n.fi\n";
 }
 
@@ -67,14 +67,15 @@ std::string examples(const std::string& name) {
 
 std::string man_page(const CommandHelp& root, const std::string& version) {
   std::string page = fmt::format(".TH PELAGE 1 \"\" \"{}\"\n.SH NAME\npelage \\- {}\n.SH SYNOPSIS\n", version,
-                                 roff("grooms fur on a Pelage server"));
+                                 roff_escaped("grooms fur on a Pelage server"));
   page += usage(root) + ".SH OPTIONS\nThey may stand after a command too.\n" + entries(root) + ".SH COMMANDS\n";
   for (const CommandHelp* command : all_commands(root)) {
     if (command->name.empty() || !command->commands.empty()) continue;
-    page += ".SS " + roff(command->name) + "\n" + usage(*command) + ".PP\n" + roff(command->words) + ".\n";
+    page +=
+        ".SS " + roff_escaped(command->name) + "\n" + usage(*command) + ".PP\n" + roff_escaped(command->words) + ".\n";
     page += entries(*command) + ".PP\nExamples:\n" + examples(command->name);
   }
-  return page + ".SH EXAMPLES\n" + examples("") + ".SH EXIT STATUS\n" + roff(exit_codes) + "\n";
+  return page + ".SH EXAMPLES\n" + examples("") + ".SH EXIT STATUS\n" + roff_escaped(exit_codes) + "\n";
 }
 
 }  // namespace pelage

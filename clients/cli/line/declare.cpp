@@ -18,7 +18,8 @@ void add_scene(CLI::App* command, Options& options) {
   command->add_option("scene", options.scene, "Id or name of the scene")->required();
 }
 
-void hand_on(CLI::App* command, Parameters& into, const char* flag, const char* parameter, const char* help) {
+void add_parameter_option(CLI::App* command, Parameters& into, const char* flag, const char* parameter,
+                          const char* help) {
   command->add_option_function<std::string>(
       flag, [&into, parameter](const std::string& value) { into.emplace_back(parameter, value); }, help);
 }

@@ -18,7 +18,8 @@ CLI::App* add_action(CLI::App& app, Options& options, Action action, const char*
 void add_scene(CLI::App* command, Options& options);
 
 /// Adds an option whose value is appended to `into` as a query parameter named `parameter`.
-void hand_on(CLI::App* command, Parameters& into, const char* flag, const char* parameter, const char* help);
+void add_parameter_option(CLI::App* command, Parameters& into, const char* flag, const char* parameter,
+                          const char* help);
 
 /// Splits each text NAME=VALUE and appends the pair to `pairs`.
 void add_pairs(const std::vector<std::string>& texts, Parameters& pairs);

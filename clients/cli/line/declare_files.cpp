@@ -12,12 +12,14 @@ void declare_export(CLI::App& app, Options& options) {
   add_scene(command, options);
   command->add_option("-o,--output", options.output, "The file, .usda, .hair, .glb or .pelage")->required();
   Parameters& parameters = options.export_parameters;
-  hand_on(command, parameters, "--format", "format",
-          "usda, hair, shells, cards, fields or pelage [the output's ending, shells for .glb]");
-  hand_on(command, parameters, "--coat", "coat", "Name of the only coat that is in it [all that are seen]");
-  hand_on(command, parameters, "--shells", "shells", "Number of shells, 1 to 32 [16]");
-  hand_on(command, parameters, "--cards", "cards", "Cards of the finest level, about, 100 to 200000 [6000]");
-  hand_on(command, parameters, "--every", "every", "About one strand of so many, 1 to 1000000 [1]");
+  add_parameter_option(command, parameters, "--format", "format",
+                       "usda, hair, shells, cards, fields or pelage [the output's ending, shells for .glb]");
+  add_parameter_option(command, parameters, "--coat", "coat",
+                       "Name of the only coat that is in it [all that are seen]");
+  add_parameter_option(command, parameters, "--shells", "shells", "Number of shells, 1 to 32 [16]");
+  add_parameter_option(command, parameters, "--cards", "cards",
+                       "Cards of the finest level, about, 100 to 200000 [6000]");
+  add_parameter_option(command, parameters, "--every", "every", "About one strand of so many, 1 to 1000000 [1]");
   command->add_flag_callback(
       "--widen", [&parameters] { parameters.emplace_back("widen", "true"); },
       "Make the strands that are left so much wider that they cover as much");
@@ -29,9 +31,10 @@ void declare_export(CLI::App& app, Options& options) {
       "USD: cubic curves through the points in place of straight lines");
   command->add_flag_callback(
       "--skin", [&parameters] { parameters.emplace_back("skin", "true"); }, "USD: with the model's mesh");
-  hand_on(command, parameters, "--frame", "frame",
-          "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source]");
-  hand_on(command, parameters, "--unit", "metres_per_unit", "Metres that the unit of the model's file is [1]");
+  add_parameter_option(command, parameters, "--frame", "frame",
+                       "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source]");
+  add_parameter_option(command, parameters, "--unit", "metres_per_unit",
+                       "Metres that the unit of the model's file is [1]");
   command->add_flag("--dry-run", options.dry_run, "Say how much it would be; write nothing");
 }
 
@@ -48,28 +51,33 @@ void declare_guides(CLI::App& app, Options& options) {
   add_scene(guides, options);
   guides->add_option("file", options.file, "The curves, .usda, .hair or .json; - for standard input")->required();
   Parameters& parameters = options.guide_parameters;
-  hand_on(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
-  hand_on(guides, parameters, "--coat", "coat", "Name of the coat that follows them [all]");
-  hand_on(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
-  hand_on(guides, parameters, "--sigma", "sigma", "Width over which one curve acts, sizes [from their distance]");
-  hand_on(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
-  hand_on(
+  add_parameter_option(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
+  add_parameter_option(guides, parameters, "--coat", "coat", "Name of the coat that follows them [all]");
+  add_parameter_option(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
+  add_parameter_option(guides, parameters, "--sigma", "sigma",
+                       "Width over which one curve acts, sizes [from their distance]");
+  add_parameter_option(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
+  add_parameter_option(
       guides, parameters, "--frame", "frame",
       "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source; pelage of json]");
-  hand_on(guides, parameters, "--unit", "metres_per_unit",
-          "Metres that the unit of the model's file is [1 of glTF; of others the curves have the same]");
+  add_parameter_option(guides, parameters, "--unit", "metres_per_unit",
+                       "Metres that the unit of the model's file is [1 of glTF; of others the curves have the same]");
 }
 
 void add_map(CLI::App* command, Options& options) {
   add_scene(command, options);
   command->add_option("field", options.field, "direction, length, density, mask or another field")->required();
   Parameters& parameters = options.map_parameters;
-  hand_on(command, parameters, "--coat", "coat", "Name of the coat whose field it is [get: the first, put: all]");
-  hand_on(command, parameters, "--encoding", "encoding", "Of direction uv_tangent, fast_fur or vector; else value");
-  hand_on(command, parameters, "--scale", "scale",
-          "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
-  hand_on(command, parameters, "--units", "units", "Of a scale of lengths: relative (sizes) or world [relative]");
-  hand_on(command, parameters, "--tile", "tile", "UDIM tile of the picture, from 1001; 0 for all [0]");
+  add_parameter_option(command, parameters, "--coat", "coat",
+                       "Name of the coat whose field it is [get: the first, put: all]");
+  add_parameter_option(command, parameters, "--encoding", "encoding",
+                       "Of direction uv_tangent, fast_fur or vector; else value");
+  add_parameter_option(
+      command, parameters, "--scale", "scale",
+      "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
+  add_parameter_option(command, parameters, "--units", "units",
+                       "Of a scale of lengths: relative (sizes) or world [relative]");
+  add_parameter_option(command, parameters, "--tile", "tile", "UDIM tile of the picture, from 1001; 0 for all [0]");
 }
 
 void declare_map_get(CLI::App& map, Options& options) {
@@ -77,10 +85,11 @@ void declare_map_get(CLI::App& map, Options& options) {
   add_map(get, options);
   get->add_option("-o,--output", options.output, "The picture, .png, .exr or .npy; - for standard output")->required();
   Parameters& parameters = options.map_parameters;
-  hand_on(get, parameters, "--format", "format",
-          "png, png16, exr, exr_half or npy [the output's ending, png16 for .png]");
-  hand_on(get, parameters, "--size", "size", "Pixels of a side, 1 to 8192 [1024]");
-  hand_on(get, parameters, "--dilate", "dilate", "Pixels by which islands grow over their seams, 0 to 64 [8]");
+  add_parameter_option(get, parameters, "--format", "format",
+                       "png, png16, exr, exr_half or npy [the output's ending, png16 for .png]");
+  add_parameter_option(get, parameters, "--size", "size", "Pixels of a side, 1 to 8192 [1024]");
+  add_parameter_option(get, parameters, "--dilate", "dilate",
+                       "Pixels by which islands grow over their seams, 0 to 64 [8]");
 }
 
 }  // namespace
@@ -99,7 +108,8 @@ void declare_file_actions(CLI::App& app, Options& options) {
   put->add_option("file", options.file,
                   "PNG, JPEG, EXR or HDR, up to 4096 pixels wide, or a NumPy array; - for standard input")
       ->required();
-  hand_on(put, options.map_parameters, "--strength", "strength", "How far the field goes to the picture's, 0 to 1 [1]");
+  add_parameter_option(put, options.map_parameters, "--strength", "strength",
+                       "How far the field goes to the picture's, 0 to 1 [1]");
 
   CLI::App* keep = add_action(*map, options, Action::put_picture, "upload",
                               "Keep a picture for commands to name, such as mask; prints its name");

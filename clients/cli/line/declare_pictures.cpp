@@ -8,45 +8,50 @@ namespace {
 
 void add_view(CLI::App* command, Options& options) {
   Parameters& frame = options.frame;
-  hand_on(command, frame, "--width", "width", "Pixels, 1 to 8192 [512]");
-  hand_on(command, frame, "--height", "height", "Pixels, 1 to 8192 [512]");
-  hand_on(command, frame, "--camera", "camera", "front, back, left, right, top or three_quarter");
-  hand_on(command, frame, "--position", "position", "X,Y,Z of a free camera, with --target");
-  hand_on(command, frame, "--target", "target", "X,Y,Z that it looks at");
-  hand_on(command, frame, "--up", "up", "X,Y,Z that is up [0,1,0]");
-  hand_on(command, frame, "--fov", "fov_degrees", "Vertical field of view, degrees, 1 to 150 [35]");
+  add_parameter_option(command, frame, "--width", "width", "Pixels, 1 to 8192 [512]");
+  add_parameter_option(command, frame, "--height", "height", "Pixels, 1 to 8192 [512]");
+  add_parameter_option(command, frame, "--camera", "camera", "front, back, left, right, top or three_quarter");
+  add_parameter_option(command, frame, "--position", "position", "X,Y,Z of a free camera, with --target");
+  add_parameter_option(command, frame, "--target", "target", "X,Y,Z that it looks at");
+  add_parameter_option(command, frame, "--up", "up", "X,Y,Z that is up [0,1,0]");
+  add_parameter_option(command, frame, "--fov", "fov_degrees", "Vertical field of view, degrees, 1 to 150 [35]");
 }
 
 void add_quality(CLI::App* command, Options& options) {
-  hand_on(command, options.frame, "--quality", "quality", "draft, interactive, detailed or reference [interactive]");
+  add_parameter_option(command, options.frame, "--quality", "quality",
+                       "draft, interactive, detailed or reference [interactive]");
   command->add_option_function<std::vector<std::string>>(
       "--knob", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.frame); },
       "NAME=VALUE of a single knob, such as strands=4; may be repeated");
-  hand_on(command, options.frame, "--budget-ms", "budget_ms",
-          "In place of a quality: the best that is drawn in so many milliseconds, 1 to 600000");
-  hand_on(command, options.frame, "--max-error", "max_error",
-          "In place of a quality: the cheapest with at most this mean FLIP over the fur, up to 1");
-  hand_on(command, options.frame, "--max-seconds", "max_seconds",
-          "Refuse to draw what is expected to take longer, 1 to 86400 [60]");
+  add_parameter_option(command, options.frame, "--budget-ms", "budget_ms",
+                       "In place of a quality: the best that is drawn in so many milliseconds, 1 to 600000");
+  add_parameter_option(command, options.frame, "--max-error", "max_error",
+                       "In place of a quality: the cheapest with at most this mean FLIP over the fur, up to 1");
+  add_parameter_option(command, options.frame, "--max-seconds", "max_seconds",
+                       "Refuse to draw what is expected to take longer, 1 to 86400 [60]");
   command->add_flag("--dry-run", options.dry_run, "Say how long drawing is expected to take; draw nothing");
 }
 
 /// Adds the options that set the members of Tracing.
 void add_tracing(CLI::App* command, Options& options) {
   Parameters& trace = options.trace;
-  hand_on(command, trace, "--passes", "passes", "Passes of tracing at most: samples of a pixel, 1 to 65536 [64]");
-  hand_on(command, trace, "--noise", "noise",
-          "Mean error of a displayed channel at which tracing ends, 0 to 1; 0: never [0]");
-  hand_on(command, trace, "--seconds", "seconds", "Seconds of tracing after which it ends, 0 to 3600; 0: never [0]");
-  hand_on(command, trace, "--transport", "transport",
-          "transmittance, or paths that scatter from strand to strand [transmittance]");
-  hand_on(command, trace, "--scattering", "scattering",
-          "look or energy_conserving; paths take energy_conserving alone [look]");
-  hand_on(command, trace, "--bounces", "bounces", "Bounces of a path at most, with --transport paths, 1 to 4096 [32]");
-  hand_on(command, trace, "--strands", "strands", "Strands at most, 1 to 8000000; fewer are drawn wider [2000000]");
-  hand_on(command, trace, "--shutter", "shutter", "Motion blur of fur in the wind: seconds, 0 to 10 [0]");
-  hand_on(command, trace, "--filter", "filter", "true or false: smooths pictures of few passes [true]");
-  hand_on(command, trace, "--seed", "seed", "The same seed and passes give the same picture [1]");
+  add_parameter_option(command, trace, "--passes", "passes",
+                       "Passes of tracing at most: samples of a pixel, 1 to 65536 [64]");
+  add_parameter_option(command, trace, "--noise", "noise",
+                       "Mean error of a displayed channel at which tracing ends, 0 to 1; 0: never [0]");
+  add_parameter_option(command, trace, "--seconds", "seconds",
+                       "Seconds of tracing after which it ends, 0 to 3600; 0: never [0]");
+  add_parameter_option(command, trace, "--transport", "transport",
+                       "transmittance, or paths that scatter from strand to strand [transmittance]");
+  add_parameter_option(command, trace, "--scattering", "scattering",
+                       "look or energy_conserving; paths take energy_conserving alone [look]");
+  add_parameter_option(command, trace, "--bounces", "bounces",
+                       "Bounces of a path at most, with --transport paths, 1 to 4096 [32]");
+  add_parameter_option(command, trace, "--strands", "strands",
+                       "Strands at most, 1 to 8000000; fewer are drawn wider [2000000]");
+  add_parameter_option(command, trace, "--shutter", "shutter", "Motion blur of fur in the wind: seconds, 0 to 10 [0]");
+  add_parameter_option(command, trace, "--filter", "filter", "true or false: smooths pictures of few passes [true]");
+  add_parameter_option(command, trace, "--seed", "seed", "The same seed and passes give the same picture [1]");
 }
 
 void add_progressive(CLI::App* command, Options& options) {
@@ -61,43 +66,50 @@ void add_progressive(CLI::App* command, Options& options) {
       ->check(CLI::NonNegativeNumber);
 }
 
-void add_looks(CLI::App* command, Options& options) {
+void add_picture_options(CLI::App* command, Options& options) {
   Parameters& frame = options.frame;
-  hand_on(command, frame, "--crop", "crop", "LEFT,TOP,WIDTH,HEIGHT: pixels of the frame that are drawn alone");
-  hand_on(command, frame, "--background", "background", "transparent, studio or #rrggbb");
-  hand_on(command, frame, "--exposure", "exposure", "Stops, -20 to 20 [0]");
-  hand_on(command, frame, "--tone-map", "tone_map", "none or filmic [filmic]");
-  hand_on(command, frame, "--colour-source", "colour_source", "automatic, model or coat; default look otherwise");
-  hand_on(command, frame, "--format", "format", "png, png16, jpeg, webp, exr, npy or npy_linear [the output's ending]");
-  hand_on(command, frame, "--lossy-quality", "lossy_quality", "Quality of JPEG and WebP, 1 to 100 [by --quality]");
-  hand_on(command, frame, "--exr-type", "exr_type", "half or float [half]");
-  hand_on(command, frame, "--aovs", "aovs",
-          "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
-          "shadow, sample_count, strand, root, cryptomatte [beauty]");
-  hand_on(command, frame, "--colour-space", "colour_space",
-          "Of an EXR: a space of the server's OpenColorIO configuration, such as ACEScg [linear Rec. 709]");
-  hand_on(command, frame, "--overlay", "overlay",
-          "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
-  hand_on(command, frame, "--overlay-coat", "overlay_coat", "Name of the coat whose field an overlay shows");
-  hand_on(command, frame, "--from", "overlay_from", "With --overlay difference: the revision to compare with");
-  hand_on(command, frame, "--masked", "masked", "true draws only what the mask leaves to tools [false]");
-  hand_on(command, frame, "--time", "time",
-          "Seconds: the fur as the scene's wind has moved it by then [the scene's time]");
-  hand_on(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");
+  add_parameter_option(command, frame, "--crop", "crop",
+                       "LEFT,TOP,WIDTH,HEIGHT: pixels of the frame that are drawn alone");
+  add_parameter_option(command, frame, "--background", "background", "transparent, studio or #rrggbb");
+  add_parameter_option(command, frame, "--exposure", "exposure", "Stops, -20 to 20 [0]");
+  add_parameter_option(command, frame, "--tone-map", "tone_map", "none or filmic [filmic]");
+  add_parameter_option(command, frame, "--colour-source", "colour_source",
+                       "automatic, model or coat; default look otherwise");
+  add_parameter_option(command, frame, "--format", "format",
+                       "png, png16, jpeg, webp, exr, npy or npy_linear [the output's ending]");
+  add_parameter_option(command, frame, "--lossy-quality", "lossy_quality",
+                       "Quality of JPEG and WebP, 1 to 100 [by --quality]");
+  add_parameter_option(command, frame, "--exr-type", "exr_type", "half or float [half]");
+  add_parameter_option(command, frame, "--aovs", "aovs",
+                       "Of an EXR, with commas: beauty, alpha, depth, position, normal, tangent, albedo, direct, "
+                       "shadow, sample_count, strand, root, cryptomatte [beauty]");
+  add_parameter_option(
+      command, frame, "--colour-space", "colour_space",
+      "Of an EXR: a space of the server's OpenColorIO configuration, such as ACEScg [linear Rec. 709]");
+  add_parameter_option(command, frame, "--overlay", "overlay",
+                       "none, direction, strokes, length, density, wetness, mask, bald, wire or difference [none]");
+  add_parameter_option(command, frame, "--overlay-coat", "overlay_coat",
+                       "Name of the coat whose field an overlay shows");
+  add_parameter_option(command, frame, "--from", "overlay_from",
+                       "With --overlay difference: the revision to compare with");
+  add_parameter_option(command, frame, "--masked", "masked", "true draws only what the mask leaves to tools [false]");
+  add_parameter_option(command, frame, "--time", "time",
+                       "Seconds: the fur as the scene's wind has moved it by then [the scene's time]");
+  add_parameter_option(command, frame, "--revision", "revision", "Draw the scene as it was at this revision");
 }
 
 /// Adds the options that name a position by other means than a pixel. They and the pixel exclude each other.
-void add_places(CLI::App* pick, Options& options) {
-  std::vector<CLI::Option*> ways = {
+void add_position_options(CLI::App* pick, Options& options) {
+  std::vector<CLI::Option*> position_options = {
       pick->get_option("x"),
       pick->add_option("--ray", options.ray, "X,Y,Z,DX,DY,DZ: what a ray from X,Y,Z along DX,DY,DZ hits first"),
       pick->add_option("--farthest", options.farthest, "DX,DY,DZ: the place that is farthest along it, as of an ear"),
       pick->add_option("--nearest", options.nearest, "X,Y,Z: the place of the surface that is nearest to it")};
-  for (CLI::Option* way : ways)
-    for (CLI::Option* other : ways)
-      if (way != other) way->excludes(other);
+  for (CLI::Option* option : position_options)
+    for (CLI::Option* other : position_options)
+      if (option != other) option->excludes(other);
   pick->add_option("--box", options.box, "X,Y,Z,X,Y,Z: lowest and highest corner of where --farthest looks")
-      ->needs(ways[2]);
+      ->needs(position_options[2]);
   pick->add_flag("--world", options.world,
                  "X,Y,Z are the model's own coordinates, not shares of its box as in recipes");
 }
@@ -110,7 +122,7 @@ void declare_pick(CLI::App& app, Options& options) {
   CLI::Option* y = pick->add_option("y", options.y, "Pixels from the top");
   x->needs(y);
   add_view(pick, options);
-  add_places(pick, options);
+  add_position_options(pick, options);
   CLI::Option* name = pick->add_option("--as", options.place_name, "Name of the place, for --places");
   pick->add_option("--places", options.places, "JSON file of places by name that gets this one, for `pelage run`")
       ->needs(name);
@@ -131,7 +143,7 @@ void declare_picture_actions(CLI::App& app, Options& options) {
   add_quality(frame, options);
   add_tracing(frame, options);
   add_progressive(frame, options);
-  add_looks(frame, options);
+  add_picture_options(frame, options);
   declare_pick(app, options);
 }
 

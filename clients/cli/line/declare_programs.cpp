@@ -40,7 +40,7 @@ void declare_calibrate(CLI::App& app, Options& options) {
   CLI::App* calibrate = add_action(app, options, Action::calibrate, "calibrate",
                                    "Measure what frames cost on this machine, for servers that start here from now on");
   const auto add = [&](const char* flag, const char* help) {
-    hand_on(calibrate, options.server_options, flag, flag, help);
+    add_parameter_option(calibrate, options.server_options, flag, flag, help);
   };
   add("--data", "The server's folder, where the calibration is stored [pelage-data]");
   add("--calibration", "Another file for it");

@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 /// Flags, and the member that each one sets, where the flag's name is not that of the member.
-constexpr std::pair<const char*, const char*> other_names[] = {
+constexpr std::pair<const char*, const char*> member_aliases[] = {
     {"--fov", "fov_degrees"}, {"--from", "overlay_from"}, {"--camera", "auto"}, {"x", "pixel"},
     {"--box", "min"},         {"--box", "max"},           {"step", "revision"}, {"--until-pass", "after_pass"}};
 
@@ -22,7 +22,7 @@ void add_flags(const CLI::App& command, std::map<std::string, std::string>& flag
     std::string member = flag.substr(flag.find_first_not_of('-'));
     std::replace(member.begin(), member.end(), '-', '_');
     flags[member] = flag;
-    for (const auto& [other, name] : other_names)
+    for (const auto& [other, name] : member_aliases)
       if (flag == other) flags[name] = flag;
   }
 }

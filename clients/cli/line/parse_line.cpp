@@ -29,7 +29,7 @@ Status unknown_command(const CLI::App& app) {
 }
 
 /// Prints why CLI11 rejected the command line, or the help text that was asked for. Returns the exit code.
-int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+int report_parse_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   const bool json = std::any_of(argv, argv + argc, [](const char* word) { return std::strcmp(word, "--json") == 0; });
   if (Status unknown = unknown_command(app); error.get_exit_code() != 0 && !unknown.ok()) {
     set_report_style({.json = json, .flags = {}});
@@ -43,7 +43,7 @@ int refuse_line(const CLI::App& app, const CLI::ParseError& error, int argc, cha
 }
 
 /// Prints the manual page or a completion script, which need no server. Returns false if neither was asked for.
-bool print_tree(const CLI::App& app, const Options& options) {
+bool print_man_or_completions(const CLI::App& app, const Options& options) {
   const CommandHelp root = tree_of(app);
   std::string text;
   if (options.action == Action::man) text = man_page(root, std::string("pelage ") + version());
@@ -85,9 +85,9 @@ ParsedLine parse_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     set_report_style({options.json, flags_of(app)});
-    if (print_tree(app, options)) parsed.exit_code = done;
+    if (print_man_or_completions(app, options)) parsed.exit_code = done;
   } catch (const CLI::ParseError& error) {
-    parsed.exit_code = refuse_line(app, error, argc, argv);
+    parsed.exit_code = report_parse_error(app, error, argc, argv);
   }
   return parsed;
 }

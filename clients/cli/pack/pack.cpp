@@ -46,7 +46,7 @@ std::optional<std::string> bytes_of(const fs::path& path) {
 }
 
 /// Returns a name as a normalized path relative to the model's folder; nothing if it leads out of that folder.
-std::optional<fs::path> below(std::string name) {
+std::optional<fs::path> path_in_folder(std::string name) {
   std::replace(name.begin(), name.end(), '\\', '/');
   const fs::path path = fs::path(name).lexically_normal();
   if (path.is_absolute() || path.empty() || *path.begin() == "..") return {};
@@ -56,12 +56,12 @@ std::optional<fs::path> below(std::string name) {
 /// Collects the files that a model references and zips them with it.
 class Packer {
  public:
-  Packer(const fs::path& model, std::size_t max_bytes) : folder_(model.parent_path()), room_(max_bytes) {}
+  Packer(const fs::path& model, std::size_t max_bytes) : folder_(model.parent_path()), max_bytes_(max_bytes) {}
 
   /// Reads a file and returns its bytes. If it cannot be read, adds the name to missing() and returns null.
   const std::string* add(const std::string& name) {
     for (const std::string& spelling : {name, percent_decoded(name)}) {
-      const std::optional<fs::path> path = below(spelling);
+      const std::optional<fs::path> path = path_in_folder(spelling);
       std::optional<std::string> bytes = path ? bytes_of(folder_ / *path) : std::nullopt;
       if (bytes) return &files_.emplace_back(path->generic_string(), std::move(*bytes)).second;
     }
@@ -72,7 +72,7 @@ class Packer {
   bool is_too_large() const {
     std::size_t bytes = 0;
     for (const auto& file : files_) bytes += file.second.size();
-    return bytes > room_;
+    return bytes > max_bytes_;
   }
   bool has_files() const { return !files_.empty(); }
   std::vector<std::string>& missing() { return missing_; }
@@ -81,7 +81,7 @@ class Packer {
 
  private:
   fs::path folder_;
-  std::size_t room_;
+  std::size_t max_bytes_;
   std::vector<std::pair<std::string, std::string>> files_;  // relative path, bytes
   std::vector<std::string> missing_;
 };
@@ -101,7 +101,7 @@ Result<std::string> Packer::zip(const std::string& name, const std::string& mode
   zip_source_t* target = zip_source_buffer_create(nullptr, 0, 0, &error);
   if (!target) return failed;
   zip_source_keep(target);
-  const std::unique_ptr<zip_source_t, decltype(&zip_source_free)> kept(target, zip_source_free);
+  const std::unique_ptr<zip_source_t, decltype(&zip_source_free)> source_owner(target, zip_source_free);
   zip_t* archive = zip_open_from_source(target, ZIP_TRUNCATE, &error);
   if (!archive) return failed;
   bool good = add_to(archive, name, model);
@@ -114,8 +114,8 @@ Result<std::string> Packer::zip(const std::string& name, const std::string& mode
   return bytes;
 }
 
-void add_named(const std::string& ending, const std::string& model, Packer& packer) {
-  if (ending == "gltf") {
+void add_referenced(const std::string& extension, const std::string& model, Packer& packer) {
+  if (extension == "gltf") {
     for (const std::string& name : names_in_gltf(model)) packer.add(name);
     return;
   }
@@ -163,12 +163,12 @@ std::vector<std::string> names_in_gltf(const std::string& text) {
   return names;
 }
 
-Result<PackedModel> pack_model(const std::string& path, const std::string& ending, std::size_t max_bytes) {
+Result<PackedModel> pack_model(const std::string& path, const std::string& extension, std::size_t max_bytes) {
   std::optional<std::string> model = bytes_of(path);
   if (!model) return failure(Code::not_found, "Cannot read " + path + ".");
   PackedModel packed;
   Packer packer(path, max_bytes);
-  if (ending == "obj" || ending == "gltf") add_named(ending, *model, packer);
+  if (extension == "obj" || extension == "gltf") add_referenced(extension, *model, packer);
   packed.missing = std::move(packer.missing());
   if (packer.is_too_large() || model->size() > max_bytes)
     return failure(Code::too_large, path + " with the files that it names is too large.", "",

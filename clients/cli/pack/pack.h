@@ -16,10 +16,10 @@ struct PackedModel {
 };
 
 /// Packs an OBJ with its material files and their pictures, and a .gltf with its buffers and pictures. Other formats
-/// are sent as they are. Files outside the model's folder and its subfolders are not read. `ending` is the path's
+/// are sent as they are. Files outside the model's folder and its subfolders are not read. `extension` is the path's
 /// extension in lower case, without its dot. Fails if the model cannot be read (not_found) or the total exceeds
 /// `max_bytes` (too_large).
-Result<PackedModel> pack_model(const std::string& path, const std::string& ending, std::size_t max_bytes);
+Result<PackedModel> pack_model(const std::string& path, const std::string& extension, std::size_t max_bytes);
 
 /// Return the file names that the text of an OBJ, a material file or a glTF references, as written there, each once.
 std::vector<std::string> names_in_obj(const std::string& text);

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-std::vector<std::string_view> filled_lines(std::string_view text) {
+std::vector<std::string_view> nonblank_lines(std::string_view text) {
   std::vector<std::string_view> lines;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
@@ -25,17 +25,17 @@ std::vector<std::string_view> filled_lines(std::string_view text) {
 
 Result<std::vector<std::string>> split_steps(std::string_view text) {
   std::vector<std::string> steps;
-  const auto whole = parse_json(text);
-  if (whole) {
-    if (!whole->is_array()) return std::vector<std::string>{whole->dump()};
-    for (const json& member : *whole) steps.push_back(member.dump());
+  const auto document = parse_json(text);
+  if (document) {
+    if (!document->is_array()) return std::vector<std::string>{document->dump()};
+    for (const json& member : *document) steps.push_back(member.dump());
     return steps;
   }
-  const std::vector<std::string_view> lines = filled_lines(text);
+  const std::vector<std::string_view> lines = nonblank_lines(text);
   if (lines.empty()) return failure(Code::malformed, "There are no commands in it.");
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (const auto step = parse_json(lines[i]); !step) {
-      if (i == 0) return whole.status();  // a single document with a syntax error
+      if (i == 0) return document.status();  // a single document with a syntax error
       Status status = step.status();
       status.message = "Line " + std::to_string(i + 1) + " (empty ones not counted): " + status.message;
       return status;

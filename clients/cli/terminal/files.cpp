@@ -48,7 +48,7 @@ Status write_file(const std::string& path, const std::string& bytes) {
   }
   NewFile file(path);
   file.write(bytes);
-  return file.keep();
+  return file.commit();
 }
 
 NewFile::NewFile(std::string path)
@@ -58,11 +58,11 @@ NewFile::~NewFile() {
   if (!temporary_.empty()) std::remove(temporary_.c_str());
 }
 
-bool NewFile::write(std::string_view piece) {
-  return static_cast<bool>(file_.write(piece.data(), static_cast<std::streamsize>(piece.size())));
+bool NewFile::write(std::string_view chunk) {
+  return static_cast<bool>(file_.write(chunk.data(), static_cast<std::streamsize>(chunk.size())));
 }
 
-Status NewFile::keep() {
+Status NewFile::commit() {
   file_.close();
   if (file_ && std::rename(temporary_.c_str(), path_.c_str()) == 0) {
     temporary_.clear();

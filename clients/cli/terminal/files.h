@@ -20,7 +20,7 @@ Status write_file(const std::string& path, const std::string& bytes);
 /// Checks that a file can be written, before the work that produces its content. Changes nothing.
 Status check_output(const std::string& path);
 
-/// A file that is written in chunks under a temporary name, and removed unless keep() is called.
+/// A file that is written in chunks under a temporary name, and removed unless commit() is called.
 class NewFile {
  public:
   explicit NewFile(std::string path);
@@ -28,9 +28,9 @@ class NewFile {
   NewFile(const NewFile&) = delete;
   NewFile& operator=(const NewFile&) = delete;
 
-  bool write(std::string_view piece);
+  bool write(std::string_view chunk);
   /// Renames the file to its final name. Fails if it could not be written.
-  Status keep();
+  Status commit();
 
  private:
   friend Status check_output(const std::string& path);

@@ -17,14 +17,15 @@ namespace {
 std::string text_of(glm::dvec3 v) { return fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
 
 void print_sheets(const std::vector<NumberedPart>& sheets) {
-  constexpr std::size_t shown = 8;
-  for (std::size_t i = 0; i < std::min(shown, sheets.size()); ++i) {
+  constexpr std::size_t max_printed = 8;
+  for (std::size_t i = 0; i < std::min(max_printed, sheets.size()); ++i) {
     fmt::print(
         "sheet       part {} ({} triangles at {}) has one layer, bare behind; load with --two-sided {} for fur on both "
         "sides\n",
         sheets[i].part, sheets[i].triangles, text_of(sheets[i].centre), sheets[i].part);
   }
-  if (sheets.size() > shown) fmt::print("sheet       and {} more; --json lists them\n", sheets.size() - shown);
+  if (sheets.size() > max_printed)
+    fmt::print("sheet       and {} more; --json lists them\n", sheets.size() - max_printed);
 }
 
 constexpr std::size_t max_commands = 3;

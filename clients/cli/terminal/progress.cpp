@@ -15,24 +15,24 @@ namespace pelage {
 namespace {
 
 constexpr int bar_cells = 20;
-constexpr std::chrono::milliseconds first_after(1000), drawn_every(500), looked_every(20);
+constexpr std::chrono::milliseconds initial_delay(1000), redraw_interval(500), poll_interval(20);
 
 }  // namespace
 
-std::string progress_text(const std::string& what, const ProgressState& state, double seconds) {
-  std::string text = what;
+std::string progress_text(const std::string& label, const ProgressState& state, double seconds) {
+  std::string text = label;
   if (state.share >= 0) {
     const double share = std::min(state.share, 1.0);
     const auto full = static_cast<std::size_t>(std::floor(share * bar_cells));
     text +=
         " [" + std::string(full, '#') + std::string(bar_cells - full, '.') + fmt::format("] {:3.0f} %", 100 * share);
   }
-  if (!state.words.empty()) text += ", " + state.words;
+  if (!state.details.empty()) text += ", " + state.details;
   return text + fmt::format(", {:.0f} s", seconds);
 }
 
-ProgressLine::ProgressLine(std::string what, std::function<ProgressState()> ask)
-    : what_(std::move(what)), ask_(std::move(ask)) {
+ProgressLine::ProgressLine(std::string label, std::function<ProgressState()> get_state)
+    : label_(std::move(label)), get_state_(std::move(get_state)) {
   if (!reports_json() && isatty(STDERR_FILENO) == 1) thread_ = std::thread([this] { draw(); });
 }
 
@@ -43,16 +43,16 @@ ProgressLine::~ProgressLine() {
 
 void ProgressLine::draw() const {
   const auto begun = std::chrono::steady_clock::now();
-  auto next = begun + first_after;
+  auto next = begun + initial_delay;
   bool written = false;
   while (!done_) {
-    std::this_thread::sleep_for(looked_every);
+    std::this_thread::sleep_for(poll_interval);
     const auto now = std::chrono::steady_clock::now();
     if (now < next) continue;
-    next = now + drawn_every;
-    const ProgressState state = ask_ ? ask_() : ProgressState{};
+    next = now + redraw_interval;
+    const ProgressState state = get_state_ ? get_state_() : ProgressState{};
     if (done_) break;
-    fmt::print(stderr, "\r{}\033[K", progress_text(what_, state, std::chrono::duration<double>(now - begun).count()));
+    fmt::print(stderr, "\r{}\033[K", progress_text(label_, state, std::chrono::duration<double>(now - begun).count()));
     std::fflush(stderr);
     written = true;
   }

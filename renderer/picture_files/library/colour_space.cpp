@@ -51,9 +51,9 @@ bool names_a_space(const OIIO::ColorConfig& config, const std::string& name) {
   return false;
 }
 
-enum class Way { to_space, from_space };
+enum class Conversion { to_space, from_space };
 
-Result<OIIO::ColorProcessorHandle> processor_of(const std::string& space, Way way) {
+Result<OIIO::ColorProcessorHandle> processor_of(const std::string& space, Conversion conversion) {
   constexpr const char* pointer = "/colour_space";
   const OIIO::ColorConfig* config = configuration().read.get();
   if (!config) {
@@ -68,8 +68,9 @@ Result<OIIO::ColorProcessorHandle> processor_of(const std::string& space, Way wa
     return failure(Code::invalid, "The server's OpenColorIO configuration has no such colour space.", pointer,
                    configuration().names);
   }
-  OIIO::ColorProcessorHandle made = way == Way::to_space ? config->createColorProcessor(exchange_role, space)
-                                                         : config->createColorProcessor(space, exchange_role);
+  OIIO::ColorProcessorHandle made = conversion == Conversion::to_space
+                                        ? config->createColorProcessor(exchange_role, space)
+                                        : config->createColorProcessor(space, exchange_role);
   if (!made) return failure(Code::invalid, "Light has no way to that colour space.", pointer, configuration().names);
   return made;
 }
@@ -81,7 +82,7 @@ void apply(const OIIO::ColorProcessor& processor, glm::vec3& colour) {
 }  // namespace
 
 Status to_colour_space(const std::string& space, std::span<float> rgba) {
-  const Result<OIIO::ColorProcessorHandle> made = processor_of(space, Way::to_space);
+  const Result<OIIO::ColorProcessorHandle> made = processor_of(space, Conversion::to_space);
   if (!made) return made.status();
   assert(rgba.size() % 4 == 0);
   for (std::size_t at = 0; at < rgba.size(); at += 4) {
@@ -95,7 +96,7 @@ Status to_colour_space(const std::string& space, std::span<float> rgba) {
 }
 
 Result<glm::mat3> linear_from_space(const std::string& space) {
-  const Result<OIIO::ColorProcessorHandle> made = processor_of(space, Way::from_space);
+  const Result<OIIO::ColorProcessorHandle> made = processor_of(space, Conversion::from_space);
   if (!made) return made.status();
   const auto linear_of = [&](glm::vec3 colour) {
     apply(**made, colour);

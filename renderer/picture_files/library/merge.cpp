@@ -44,12 +44,12 @@ Result<std::vector<Number>> read_numbers(OpenPicture& file, const OIIO::TypeDesc
 
 /// Copies the rows of a part into the whole.
 template <class Number>
-void paste(const std::vector<Number>& part, const OIIO::ImageSpec& spec, const PicturePart& place, int width,
+void paste(const std::vector<Number>& part, const OIIO::ImageSpec& spec, const PicturePart& position, int width,
            std::vector<Number>& whole) {
   const std::size_t row = part.size() / static_cast<std::size_t>(spec.height);
   const std::size_t channels = row / static_cast<std::size_t>(spec.width);
   for (int y = 0; y < spec.height; ++y) {
-    const std::size_t to = pixels_of(width, place.top + y) + static_cast<std::size_t>(place.left);
+    const std::size_t to = pixels_of(width, position.top + y) + static_cast<std::size_t>(position.left);
     std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * row), row,
                 whole.begin() + static_cast<std::ptrdiff_t>(to * channels));
   }

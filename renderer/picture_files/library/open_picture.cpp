@@ -96,12 +96,12 @@ Result<OpenPicture> open_picture(std::span<const std::byte> bytes, std::span<con
   if (is_cut_off(picture.format, text)) return unreadable("it is cut off.");
   const char* name = name_of(picture.format);
   picture.source = std::make_unique<OIIO::Filesystem::IOMemReader>(const_cast<std::byte*>(bytes.data()), bytes.size());
-  OIIO::ImageSpec wishes;
-  wishes.attribute("oiio:UnassociatedAlpha", 1);
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
   picture.input = OIIO::ImageInput::create(name, false, nullptr, picture.source.get());
   if (!picture.input) return unreadable(reason_of(OIIO::geterror()));
   OIIO::ImageInput& input = *picture.input;
-  if (!input.set_ioproxy(picture.source.get()) || !input.open(name, picture.spec, wishes))
+  if (!input.set_ioproxy(picture.source.get()) || !input.open(name, picture.spec, config))
     return unreadable(reason_of(input.geterror()));
   if (Status status = check_size(picture.spec, max_pixels); !status.ok()) return status;
   input.threads(1);

@@ -50,9 +50,9 @@ Result<Image> decode_image(std::span<const std::byte> bytes, std::size_t max_pix
 namespace {
 
 /// Indices of R, G, B and A among a file's channels; grey has the same index three times. -1 if there is none.
-using Places = std::array<int, 4>;
+using ChannelIndices = std::array<int, 4>;
 
-int place_of(const std::vector<std::string>& names, const std::string& name) {
+int channel_index(const std::vector<std::string>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
@@ -63,37 +63,37 @@ std::string prefix_of(const std::string& channel) {
   return dot == std::string::npos ? "" : channel.substr(0, dot + 1);
 }
 
-Places places_of_aov(const std::vector<std::string>& names, const std::string& aov) {
-  Places places;
-  for (std::size_t k = 0; k < 4; ++k) places[k] = place_of(names, aov + "RGBA"[k]);
-  if (places[0] < 0 && places[1] < 0 && places[2] < 0) {
-    const int grey = place_of(names, aov + "Y");
-    places = {grey, grey, grey, places[3]};
+ChannelIndices channels_of_aov(const std::vector<std::string>& names, const std::string& aov) {
+  ChannelIndices indices;
+  for (std::size_t k = 0; k < 4; ++k) indices[k] = channel_index(names, aov + "RGBA"[k]);
+  if (indices[0] < 0 && indices[1] < 0 && indices[2] < 0) {
+    const int grey = channel_index(names, aov + "Y");
+    indices = {grey, grey, grey, indices[3]};
   }
-  return places;
+  return indices;
 }
 
-bool has_colour(const Places& places) { return places[0] >= 0 && places[1] >= 0 && places[2] >= 0; }
+bool has_colour(const ChannelIndices& indices) { return indices[0] >= 0 && indices[1] >= 0 && indices[2] >= 0; }
 
-Places places_by_name(const std::vector<std::string>& names) {
-  Places places = places_of_aov(names, "");
-  for (std::size_t i = 0; i < names.size() && !has_colour(places); ++i) {
-    places = places_of_aov(names, prefix_of(names[i]));
+ChannelIndices channels_by_name(const std::vector<std::string>& names) {
+  ChannelIndices indices = channels_of_aov(names, "");
+  for (std::size_t i = 0; i < names.size() && !has_colour(indices); ++i) {
+    indices = channels_of_aov(names, prefix_of(names[i]));
   }
-  return places;
+  return indices;
 }
 
 /// Returns the channels by their order, for formats without channel names: grey, grey and alpha, RGB, RGBA.
-Places places_by_count(int channels) {
+ChannelIndices channels_by_count(int channels) {
   const bool grey = channels < 3, alpha = channels % 2 == 0;
   return {0, grey ? 0 : 1, grey ? 0 : 2, alpha ? channels - 1 : -1};
 }
 
 /// Reads the range that contains all these channels at once, because most readers cannot go back to the first row.
-Status read_channels(OIIO::ImageInput& input, const Places& places, FloatImage& image) {
+Status read_channels(OIIO::ImageInput& input, const ChannelIndices& indices, FloatImage& image) {
   constexpr int max = 16;
-  const int last = *std::max_element(places.begin(), places.end());
-  const int first = std::min({places[0], places[1], places[2], places[3] < 0 ? last : places[3]});
+  const int last = *std::max_element(indices.begin(), indices.end());
+  const int first = std::min({indices[0], indices[1], indices[2], indices[3] < 0 ? last : indices[3]});
   if (last - first >= max) return unreadable("its channels of colour are too far apart.");
   const std::size_t step = static_cast<std::size_t>(last - first) + 1, pixels = image.rgba.size() / 4;
   std::vector<float> read(pixels * step);
@@ -101,8 +101,8 @@ Status read_channels(OIIO::ImageInput& input, const Places& places, FloatImage& 
     return unreadable_pixels(input);
   }
   for (std::size_t k = 0; k < 4; ++k) {
-    if (places[k] < 0) continue;
-    const std::size_t offset = static_cast<std::size_t>(places[k] - first);
+    if (indices[k] < 0) continue;
+    const std::size_t offset = static_cast<std::size_t>(indices[k] - first);
     for (std::size_t i = 0; i < pixels; ++i) image.rgba[i * 4 + k] = read[i * step + offset];
   }
   return {};
@@ -121,10 +121,10 @@ Result<ReadFile> read_file(std::span<const std::byte> bytes, std::size_t max_pix
   if (!file) return file.status();
   OIIO::ImageSpec& spec = file->spec;
   const bool named = file->format == PictureFormat::exr || spec.nchannels > 4;
-  const Places places = named ? places_by_name(spec.channelnames) : places_by_count(spec.nchannels);
-  if (!has_colour(places)) return unreadable("it has no channels R, G and B, nor Y.");
+  const ChannelIndices indices = named ? channels_by_name(spec.channelnames) : channels_by_count(spec.nchannels);
+  if (!has_colour(indices)) return unreadable("it has no channels R, G and B, nor Y.");
   FloatImage image{spec.width, spec.height, std::vector<float>(spec.image_pixels() * 4, 1.0f)};
-  if (Status status = read_channels(*file->input, places, image); !status.ok()) return status;
+  if (Status status = read_channels(*file->input, indices, image); !status.ok()) return status;
   return ReadFile{file->format, std::move(spec), std::move(image)};
 }
 

@@ -87,7 +87,7 @@ std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<cons
   return bytes;
 }
 
-[[maybe_unused]] bool are_whole(std::size_t pixels, std::span<const ExrPlane> planes) {
+[[maybe_unused]] bool are_complete(std::size_t pixels, std::span<const ExrPlane> planes) {
   return !planes.empty() && std::all_of(planes.begin(), planes.end(), [&](const ExrPlane& plane) {
     return !plane.channel.empty() && plane.offset + (pixels - 1) * plane.stride < plane.values.size();
   });
@@ -98,7 +98,7 @@ std::vector<std::byte> native_pixels(const OIIO::ImageSpec& spec, std::span<cons
 std::string encode_exr(const ExrWindow& window, std::span<const ExrPlane> planes, std::span<const ImageText> texts) {
   assert(window.width > 0 && window.height > 0);
   const OIIO::ImageSpec spec = exr_spec(window, planes, texts);
-  assert(are_whole(spec.image_pixels(), planes));
+  assert(are_complete(spec.image_pixels(), planes));
   return write_picture(PictureFormat::exr, spec, OIIO::TypeDesc::UNKNOWN, native_pixels(spec, planes).data());
 }
 

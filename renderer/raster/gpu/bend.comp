@@ -38,15 +38,15 @@ void main() {
   uint knots = uint(own.part.segments + 1);
   uint root = own.part.words + own.part.count * (knots + 1) + own.strand * root_words;
   float reach = uintBitsToFloat(words[root + 4]), stretch = uintBitsToFloat(words[root + 5]);
-  uint piece = words[root + 7], shares = words[root + 8];
-  bool moves = piece != 0xffffffffu;
+  uint triangle = words[root + 7], shares = words[root + 8];
+  bool moves = triangle != 0xffffffffu;
   vec2 share = vec2(shares & 0xffffu, shares >> 16) / 65535.0;
   vec3 corners = vec3(1.0 - share.x - share.y, share);
   for (uint k = 0; k < knots; ++k) {
     vec4 point = points[own.first + k];
     float s = float(k) / float(own.part.segments) * reach;
     for (uint i = 0; i < 3 && moves; ++i) {
-      uint still = (3 * piece + i) * corner_bend;
+      uint still = (3 * triangle + i) * corner_bend;
       point.xyz += stretch * corners[i] * (lean_at(still + lean, s) - lean_at(still, s));
     }
     bent[own.first + k] = point;

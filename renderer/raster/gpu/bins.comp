@@ -26,8 +26,8 @@ uint key_of(float inverse) {
 // Returns 1 / distance of the segment's point that is nearest to the middle of a tile, but at least half a tile away from
 // the segment's ends.
 float inverse_near(Knot a, Knot b, vec2 middle) {
-  vec2 way = b.at - a.at;
-  float squared = max(dot(way, way), 1e-6), along = dot(middle - a.at, way) / squared;
+  vec2 segment = b.at - a.at;
+  float squared = max(dot(segment, segment), 1e-6), along = dot(middle - a.at, segment) / squared;
   float end = min(0.5 * float(tile_side) / sqrt(squared), 0.5);
   return a.inverse + (b.inverse - a.inverse) * clamp(along, end, 1.0 - end);
 }
@@ -35,15 +35,15 @@ float inverse_near(Knot a, Knot b, vec2 middle) {
 // Returns whether a segment misses a tile although its bounding box overlaps it.
 bool passes_by(Knot a, Knot b, vec2 middle, float wide) {
   const float corner = 0.71 * float(tile_side);  // distance of a tile's corner from its middle, pixels
-  vec2 way = b.at - a.at, off = middle - a.at;
-  return abs(off.x * way.y - off.y * way.x) > (corner + wide) * length(way);
+  vec2 segment = b.at - a.at, off = middle - a.at;
+  return abs(off.x * segment.y - off.y * segment.x) > (corner + wide) * length(segment);
 }
 
 void enter(uint tile, uint knot, float inverse) {
   uint number = atomicAdd(tile_counts[tile], 1);
   if (!writing) return;
   uint at = tile_entries[tile] + number;
-  if (at < entry_room) entries[at] = uvec2(key_of(inverse), knot);
+  if (at < entry_capacity) entries[at] = uvec2(key_of(inverse), knot);
 }
 
 void enter_segment(uint knot) {
@@ -70,6 +70,6 @@ void enter_segment(uint knot) {
 void main() {
   if (group_number() * strand_group >= strand_count) return;
   uint lane = lane_number(), first = first_knots[lane], end = first_knots[lane + 1];
-  if (end > knot_room) return;
+  if (end > knot_capacity) return;
   for (uint knot = first; knot + 1 < end; ++knot) enter_segment(knot);
 }

@@ -14,14 +14,14 @@ const uint together = 64;        // number of segments that a group loads at a t
 
 // A segment over the tile, in pixels from the tile's corner.
 struct FlatSegment {
-  vec2 at, way;  // start, and unit direction
+  vec2 at, direction;  // start, and unit direction
   float over_reach, reach, thickness, more_thickness;
   float inverse, more_inverse, sharpness;
   uint knot, blocks;  // `blocks`: a bit for each block of the tile that it may touch
   vec3 light, more_light;
 };
 shared FlatSegment segments[together];
-shared uint still_open;
+shared uint still_transparent;
 
 // Returns the pixel of a lane. Each 32 lanes, which run together, draw a block of eight by four pixels, so that they can
 // skip a segment together.
@@ -49,7 +49,7 @@ FlatSegment flat_segment(uint knot, vec2 corner) {
   flattened.reach = sqrt(max(dot(b - a, b - a), 1e-8));
   flattened.over_reach = 1.0 / flattened.reach;
   flattened.at = a - corner;
-  flattened.way = (b - a) * flattened.over_reach;
+  flattened.direction = (b - a) * flattened.over_reach;
   flattened.thickness = of_a.y;
   flattened.more_thickness = of_b.y - of_a.y;
   flattened.inverse = of_a.x;
@@ -64,7 +64,7 @@ FlatSegment flat_segment(uint knot, vec2 corner) {
 
 // Returns how much of a pixel a segment covers. `share` becomes the position along the segment, in [0, 1].
 float covered_by(FlatSegment s, vec2 off, out float share) {
-  float along = dot(off, s.way), beside = abs(off.y * s.way.x - off.x * s.way.y);
+  float along = dot(off, s.direction), beside = abs(off.y * s.direction.x - off.x * s.direction.y);
   share = clamp(along * s.over_reach, 0.0, 1.0);
   float thickness = share * s.more_thickness + s.thickness, drawn = max(thickness, 1.0);
   float covered = clamp(drawn - beside + 0.5, 0.0, 1.0) - clamp(0.5 - drawn - beside, 0.0, 1.0);
@@ -91,7 +91,7 @@ vec3 added(vec3 sum, FlatSegment s, float share, float weight, float through) {
 
 void main() {
   uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x, lane = gl_LocalInvocationIndex;
-  uint first = tile_entries[tile], end = min(tile_entries[tile + 1], entry_room);
+  uint first = tile_entries[tile], end = min(tile_entries[tile + 1], entry_capacity);
   uvec2 pixel = pixel_of(lane);
   vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side), at = vec2(pixel) + 0.5;
   uint own_block = 1u << lane / 32, place = tile * tile_pixels + pixel.y * tile_side + pixel.x;
@@ -100,7 +100,7 @@ void main() {
   for (uint begin = first; begin < end; begin += together) {
     uint count = min(together, end - begin);
     if (lane < count) segments[lane] = flat_segment(entries[begin + lane].y, corner);
-    if (lane == 0) still_open = 0;
+    if (lane == 0) still_transparent = 0;
     barrier();
     for (uint i = 0; i < count; ++i) {
       if ((segments[i].blocks & own_block) == 0) continue;
@@ -110,9 +110,9 @@ void main() {
       sum = added(sum, segments[i], share, weight, through);
       through -= weight;
     }
-    if (through > min_through) still_open = 1;
+    if (through > min_transmittance) still_transparent = 1;
     barrier();
-    if (still_open == 0) break;
+    if (still_transparent == 0) break;
     barrier();
   }
   sums[place] = vec4(sum, through);

@@ -22,7 +22,7 @@ float facing_away(vec3 a, vec3 b, vec3 c, uint light) {
 void main() {
   uint triangle = group_number();
   if (triangle >= triangle_count) return;
-  vec3 a = corner_place(triangle, 0), b = corner_place(triangle, 1), c = corner_place(triangle, 2);
+  vec3 a = corner_position(triangle, 0), b = corner_position(triangle, 1), c = corner_position(triangle, 2);
   float weight = corners[3 * triangle * corner_words + corner_weight];
   TriangleParts parts = parts_of(a, b, c, 0.75 * grid_cell);
   for (uint light = 0; light < light_count; ++light) {

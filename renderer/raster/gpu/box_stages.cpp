@@ -11,24 +11,25 @@ namespace {
 
 constexpr std::size_t knot_bytes = 24, point_bytes = 16, entry_bytes = 8;
 
-/// Returns the new room: a quarter more than is wanted, so that the next frame fits at once; `room` if that suffices.
-std::uint32_t more_room(std::uint32_t room, std::uint32_t wanted, std::size_t most) {
-  if (wanted <= room) return room;
-  return static_cast<std::uint32_t>(std::min<std::size_t>(wanted + std::size_t{wanted} / 4, most));
+/// Returns the new capacity: a quarter more than is wanted, so that the next frame fits at once; `capacity` if that
+/// suffices.
+std::uint32_t grown_capacity(std::uint32_t capacity, std::uint32_t wanted, std::size_t upper_limit) {
+  if (wanted <= capacity) return capacity;
+  return static_cast<std::uint32_t>(std::min<std::size_t>(wanted + std::size_t{wanted} / 4, upper_limit));
 }
 
 /// Returns how many lanes cover one triangle: more for a model of few triangles, because these are large.
 std::size_t lanes_a_triangle(std::size_t triangles) {
-  constexpr std::size_t enough = 1 << 18, least = 8, most = 1024;
-  return std::clamp(enough / std::max<std::size_t>(triangles, 1), least, most);
+  constexpr std::size_t enough = 1 << 18, lower_limit = 8, upper_limit = 1024;
+  return std::clamp(enough / std::max<std::size_t>(triangles, 1), lower_limit, upper_limit);
 }
 
 /// Returns the room to start with, before any frame has shown how much is needed.
-StageRooms first_rooms(std::size_t max_bytes) {
-  const auto held = [=](std::size_t room, std::size_t bytes) {
-    return static_cast<std::uint32_t>(std::min(room, max_bytes / bytes));
+StageCapacities initial_capacities(std::size_t max_bytes) {
+  const auto fitting = [=](std::size_t capacity, std::size_t bytes) {
+    return static_cast<std::uint32_t>(std::min(capacity, max_bytes / bytes));
   };
-  return {held(1 << 16, knot_bytes), held(1 << 16, point_bytes), held(1 << 18, entry_bytes)};
+  return {fitting(1 << 16, knot_bytes), fitting(1 << 16, point_bytes), fitting(1 << 18, entry_bytes)};
 }
 
 }  // namespace
@@ -55,22 +56,22 @@ BoxStages::BoxStages(const Gl& gl, std::size_t max_bytes)
       scan_sums_(gl),
       rows_(gl),
       encoded_(gl) {
-  GLint64 most = 0;
-  gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-  max_bytes_ = std::min(max_bytes_, static_cast<std::size_t>(most));
-  rooms_ = first_rooms(max_bytes_);
+  GLint64 upper_limit = 0;
+  gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &upper_limit);
+  max_bytes_ = std::min(max_bytes_, static_cast<std::size_t>(upper_limit));
+  capacities_ = initial_capacities(max_bytes_);
 }
 
-void BoxStages::give_back() {
+void BoxStages::release() {
   for (Storage* storage :
        {&skin_pixels_, &eye_pixels_, &ends_, &furthest_, &blocks_, &hidden_, &strand_knots_, &strand_points_, &knots_,
         &lit_points_, &tile_entries_, &tile_counts_, &entries_, &others_, &sums_, &scan_sums_, &rows_, &encoded_})
     *storage = Storage(gl_);
-  rooms_ = first_rooms(max_bytes_);
+  capacities_ = initial_capacities(max_bytes_);
 }
 
 bool BoxStages::begin(Stage stage, const DrawnBox& box, std::initializer_list<StageStorage> storage) {
-  current_ = stages_.begin(stage, box.scene.shown, storage);
+  current_ = stages_.begin(stage, box.scene.output, storage);
   return current_;
 }
 
@@ -100,8 +101,8 @@ void BoxStages::reserve(const DrawnBox& box) {
   rows_.reserve(sizeof(Totals) + pixels * 4 * word_bytes);
   strand_knots_.reserve(strands * word_bytes), strand_points_.reserve(strands * word_bytes);
   scan_sums_.reserve((std::max(strands, tiles + 1) / 1024 + 2) * word_bytes);
-  knots_.reserve(rooms_.knots * knot_bytes), lit_points_.reserve(rooms_.lit_points * point_bytes);
-  entries_.reserve(rooms_.entries * entry_bytes), others_.reserve(rooms_.entries * entry_bytes);
+  knots_.reserve(capacities_.knots * knot_bytes), lit_points_.reserve(capacities_.lit_points * point_bytes);
+  entries_.reserve(capacities_.entries * entry_bytes), others_.reserve(capacities_.entries * entry_bytes);
 }
 
 bool BoxStages::scan(const DrawnBox& box, const Storage& numbers, std::size_t count) {
@@ -165,7 +166,7 @@ bool BoxStages::place_strands(const DrawnBox& box, const SceneData& data) {
 
 bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
   strand_points_.clear(0);
-  if (!sends(box.scene.shown)) return true;
+  if (!has_knot_values(box.scene.output)) return true;
   if (!begin(Stage::mark, box,
              {{words_storage, &data.pool.words()},
               {plan_storage, &data.plan},
@@ -174,7 +175,7 @@ bool BoxStages::light_strands(const DrawnBox& box, const SceneData& data) {
     return false;
   stages_.run(box.groups());
   if (!scan(box, strand_points_, box.strands.strands() + std::size_t{1})) return false;
-  const bool is_field = box.scene.shown == RasterOutput::field;
+  const bool is_field = box.scene.output == RasterOutput::field;
   if (!begin(Stage::light, box,
              {{points_storage, &data.cells.points(data.pool)},
               {words_storage, &data.pool.words()},
@@ -215,7 +216,7 @@ bool BoxStages::fill_tiles(const DrawnBox& box) {
     if (!writing && !scan(box, tile_entries_, tiles + 1)) return false;
   }
   if (!begin(Stage::sort, box, {{0, &tile_entries_}, {1, &entries_}, {2, &others_}})) return false;
-  current_->set("entry_room", rooms_.entries);
+  current_->set("entry_capacity", capacities_.entries);
   stages_.run(box.grid());
   return true;
 }
@@ -224,7 +225,7 @@ bool BoxStages::blend(const DrawnBox& box, const SceneData& data) {
   if (!begin(Stage::blend, box, {{0, &tile_entries_}, {1, &entries_}, {2, &knots_}, {3, &ends_}, {4, &sums_}}))
     return false;
   stages_.run(box.grid());
-  if (box.scene.shown == RasterOutput::strand) {
+  if (box.scene.output == RasterOutput::strand) {
     if (!begin(Stage::name, box,
                {{sums_storage, &sums_},
                 {1, &ends_},
@@ -247,7 +248,7 @@ bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
     if (!begin_eyes(Stage::light_eyes, box, data, sums_)) return false;
     stages_.run(box.grid());
   }
-  const bool is_field = box.scene.shown == RasterOutput::field;
+  const bool is_field = box.scene.output == RasterOutput::field;
   if (!begin(Stage::skin_light, box,
              {{sums_storage, &sums_},
               {skin_pixels_storage, &skin_pixels_},
@@ -259,7 +260,7 @@ bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
               {triangles_storage, &data.model.triangles}}))
     return false;
   stages_.run(box.grid());
-  if (box.scene.ground && box.scene.shown == RasterOutput::light) {
+  if (box.scene.ground && box.scene.output == RasterOutput::light) {
     if (!begin(Stage::ground, box,
                {{sums_storage, &sums_}, {sky_storage, &data.cells.sky}, {crossed_storage, &data.cells.crossed}}))
       return false;
@@ -270,7 +271,7 @@ bool BoxStages::add_behind(const DrawnBox& box, const SceneData& data) {
 
 bool BoxStages::draw(const DrawnBox& box, SceneData& data) {
   reserve(box);
-  data.send_rooms(box, rooms_);
+  data.send_capacities(box, capacities_);
   return data.cells.find(stages_, box.scene, data.pool, data.model) && find_skin(box, data) &&
          place_strands(box, data) && light_strands(box, data) && fill_tiles(box) && blend(box, data);
 }
@@ -281,12 +282,12 @@ Totals BoxStages::totals() const {
   return found;
 }
 
-bool BoxStages::take_more_room(const Totals& found) {
-  const StageRooms wanted{more_room(rooms_.knots, found.knots, max_bytes_ / knot_bytes),
-                          more_room(rooms_.lit_points, found.lit_points, max_bytes_ / point_bytes),
-                          more_room(rooms_.entries, found.entries, max_bytes_ / entry_bytes)};
-  if (wanted == rooms_) return false;
-  rooms_ = wanted;
+bool BoxStages::grow_capacities(const Totals& found) {
+  const StageCapacities wanted{grown_capacity(capacities_.knots, found.knots, max_bytes_ / knot_bytes),
+                               grown_capacity(capacities_.lit_points, found.lit_points, max_bytes_ / point_bytes),
+                               grown_capacity(capacities_.entries, found.entries, max_bytes_ / entry_bytes)};
+  if (wanted == capacities_) return false;
+  capacities_ = wanted;
   return true;
 }
 
@@ -308,7 +309,7 @@ void BoxStages::read(const RasterScene& scene, const PixelBox& box, FloatImage& 
 
 bool BoxStages::encode(const RasterScene& scene, const Encoding& encoding) {
   encoded_.reserve(word_bytes * static_cast<std::size_t>(encoding.width) * static_cast<std::size_t>(encoding.height));
-  current_ = stages_.begin(Stage::finish, scene.shown, {{0, &rows_}, {1, &encoded_}});
+  current_ = stages_.begin(Stage::finish, scene.output, {{0, &rows_}, {1, &encoded_}});
   if (!current_) return false;
   current_->set("encoding.exposure", encoding.exposure), current_->set("encoding.filmic", int{encoding.filmic});
   current_->set("encoding.transparent", int{encoding.transparent});

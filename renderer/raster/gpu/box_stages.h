@@ -30,7 +30,7 @@ class BoxStages {
   /// Returns whether buffers may grow to hold all of it.
   bool has_room_for(const Totals& found) const;
   /// Makes the next draw reserve room for all of it. Returns false if there was room already.
-  bool take_more_room(const Totals& found);
+  bool grow_capacities(const Totals& found);
   /// Reads the rows of a box into the picture, but only the tiles that are drawn.
   void read(const RasterScene& scene, const PixelBox& box, FloatImage& picture) const;
   /// Encodes the rows, which have to be the whole picture of the scene. Returns false as `draw` does.
@@ -39,7 +39,7 @@ class BoxStages {
   void read(Image& picture) const { encoded_.read(0, std::span(picture.rgba)); }
 
   /// Frees all buffers and resets their sizes to those at the start.
-  void give_back();
+  void release();
   std::size_t max_bytes() const { return max_bytes_; }
   Stages& stages() { return stages_; }
 
@@ -66,7 +66,7 @@ class BoxStages {
   std::size_t max_bytes_;
   Stages stages_;
   const Program* current_ = nullptr;  // of the stage that begin() made current
-  StageRooms rooms_;
+  StageCapacities capacities_;
   Storage skin_pixels_, eye_pixels_, ends_, furthest_, blocks_, hidden_;  // for each pixel, tile or block of pixels
   Storage strand_knots_, strand_points_, knots_, lit_points_;
   Storage tile_entries_, tile_counts_, entries_, others_;

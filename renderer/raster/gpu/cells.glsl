@@ -22,9 +22,9 @@ uint crossed_word(Crossed sum) {
 
 bool is_far(uint light) { return frame.lights[light].direction.w < 0.5; }
 // Returns the position of a light, in cells.
-vec3 light_place(uint light) { return (frame.lights[light].position.xyz - grid_low) / grid_cell; }
+vec3 light_in_cells(uint light) { return (frame.lights[light].position.xyz - grid_low) / grid_cell; }
 vec3 to_light(uint light, ivec3 cell) {
   if (is_far(light)) return -frame.lights[light].direction.xyz;
-  vec3 apart = light_place(light) - (vec3(cell) + 0.5);
+  vec3 apart = light_in_cells(light) - (vec3(cell) + 0.5);
   return apart / max(length(apart), 1e-3);
 }

@@ -34,7 +34,7 @@ void find_fur(uint column) {
 void add_skin(uint triangle) {
   if (triangle >= triangle_count) return;
   TriangleParts parts =
-      parts_of(corner_place(triangle, 0), corner_place(triangle, 1), corner_place(triangle, 2), 1.5 * grid_cell);
+      parts_of(corner_position(triangle, 0), corner_position(triangle, 1), corner_position(triangle, 2), 1.5 * grid_cell);
   for (uint part = gl_LocalInvocationIndex; part < parts.count; part += 64) {
     vec3 middle = middle_of(parts, part);
     uint column = 2 * column_of(middle), height = word_of(middle.y);

@@ -17,11 +17,11 @@ bool same_bytes(const std::vector<T>& a, std::span<const T> b) {
   return a.size() == b.size() && (b.empty() || std::memcmp(a.data(), b.data(), b.size_bytes()) == 0);
 }
 
-/// Replaces `held` by `now`. Returns whether they differed.
+/// Replaces `stored` by `now`. Returns whether they differed.
 template <class T>
-bool take(T& held, const T& now) {
-  if (held == now) return false;
-  held = now;
+bool take(T& stored, const T& now) {
+  if (stored == now) return false;
+  stored = now;
   return true;
 }
 
@@ -45,14 +45,14 @@ FurCells::FurCells(const Gl& gl)
       columns_(gl) {}
 
 bool FurCells::take_bend(const FurBend& bend) {
-  if (same_bytes(bends_, bend.pieces) && (bend.pieces.empty() || same_bytes(leans_, bend.leans))) return false;
-  bends_.assign(bend.pieces.begin(), bend.pieces.end()), leans_.assign(bend.leans.begin(), bend.leans.end());
-  bends_sent_.send(bend.pieces), leans_sent_.send(bend.leans);
+  if (same_bytes(bends_, bend.triangles) && (bend.triangles.empty() || same_bytes(leans_, bend.leans))) return false;
+  bends_.assign(bend.triangles.begin(), bend.triangles.end()), leans_.assign(bend.leans.begin(), bend.leans.end());
+  bends_sent_.send(bend.triangles), leans_sent_.send(bend.leans);
   return true;
 }
 
 void FurCells::prepare(const RasterScene& scene, const StrandPool& pool, bool strands_changed) {
-  const bool bent = take_bend(scene.bend), moved = take(place_, *scene.cells), other = take(model_, scene.model->id);
+  const bool bent = take_bend(scene.bend), moved = take(layout_, *scene.cells), other = take(model_, scene.model->id);
   const bool lit = take(lights_, {scene.lights.begin(), scene.lights.end()});
   const bool nearer = take(near_parts_, near_parts(scene));
   const bool other_ground = scene.ground && take(ground_height_, scene.ground->height);
@@ -70,7 +70,7 @@ void FurCells::send_list(const RasterScene& scene, const StrandPool& pool) {
     FurListPart listed;
     listed.points = pool.at(i).points, listed.words = pool.at(i).words;
     listed.count = static_cast<std::uint32_t>(part.strands->count()), listed.segments = part.strands->segments;
-    if (part.role == StrandRole::coat) listed.summed = summed_strands(part, place_.cell);
+    if (part.role == StrandRole::coat) listed.summed = summed_strands(part, layout_.cell);
     listed.each = static_cast<float>(listed.count) / static_cast<float>(std::max(listed.summed, 1u));
     for (std::uint32_t strand = 0; strand < listed.count; strand += strand_group) groups.emplace_back(i, strand);
     parts.push_back(listed);
@@ -107,7 +107,7 @@ bool FurCells::add_strands(Stages& stages, const RasterScene& scene, const Stran
   return true;
 }
 
-bool FurCells::follow_lights(Stages& stages, const RasterScene& scene, const GpuModel& model) {
+bool FurCells::update_lights(Stages& stages, const RasterScene& scene, const GpuModel& model) {
   const std::size_t bytes = std::max<std::size_t>(scene.lights.size(), 1) * scene.cells->count() * word_bytes;
   for (Storage* storage : {&body_sums_, &within_, &through_, &crossed}) storage->reserve(bytes);
   body_sums_.clear(0);
@@ -145,7 +145,7 @@ bool FurCells::add_near(Stages& stages, const StrandPool& pool) {
 }
 
 bool FurCells::find_sky(Stages& stages, const RasterScene& scene, const GpuModel& model) {
-  const auto columns = static_cast<std::size_t>(place_.size.x) * static_cast<std::size_t>(place_.size.z);
+  const auto columns = static_cast<std::size_t>(layout_.size.x) * static_cast<std::size_t>(layout_.size.z);
   columns_.reserve((1 + 2 * columns) * word_bytes), columns_.clear(0);
   const Program* program = stages.begin(Stage::columns, RasterOutput::light,
                                         {{cell_sums_storage, &cell_sums_},
@@ -155,11 +155,11 @@ bool FurCells::find_sky(Stages& stages, const RasterScene& scene, const GpuModel
   if (!program) return false;
   program->set("of_skin", 0), stages.run(groups_of(columns));
   program->set("of_skin", 1), stages.run(scene.model->triangles.size());
-  const SkyOverGround map = sky_map(place_);
-  const auto places = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
-  sky.reserve(places * word_bytes);
+  const SkyOverGround map = sky_map(layout_);
+  const auto entries = static_cast<std::size_t>(map.size.x) * static_cast<std::size_t>(map.size.y);
+  sky.reserve(entries * word_bytes);
   if (!stages.begin(Stage::sky, RasterOutput::light, {{columns_storage, &columns_}, {sky_storage, &sky}})) return false;
-  stages.run(groups_of(places));
+  stages.run(groups_of(entries));
   return true;
 }
 
@@ -167,7 +167,7 @@ bool FurCells::find(Stages& stages, const RasterScene& scene, const StrandPool& 
   if (stale_.strands && !bends_.empty() && !bend(stages, pool)) return false;
   if (stale_.strands && !add_strands(stages, scene, pool)) return false;
   stale_.strands = false;
-  if (stale_.light && !follow_lights(stages, scene, model)) return false;
+  if (stale_.light && !update_lights(stages, scene, model)) return false;
   stale_.light = false;
   if (stale_.near && has_near() && !add_near(stages, pool)) return false;
   stale_.near &= !has_near();

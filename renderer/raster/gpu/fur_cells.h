@@ -49,14 +49,14 @@ class FurCells {
   void send_list(const RasterScene& scene, const StrandPool& pool);
   bool bend(Stages& stages, const StrandPool& pool);
   bool add_strands(Stages& stages, const RasterScene& scene, const StrandPool& pool);
-  bool follow_lights(Stages& stages, const RasterScene& scene, const GpuModel& model);
+  bool update_lights(Stages& stages, const RasterScene& scene, const GpuModel& model);
   bool add_near(Stages& stages, const StrandPool& pool);
   bool find_sky(Stages& stages, const RasterScene& scene, const GpuModel& model);
 
   Stale stale_;
   std::uint64_t model_ = 0;
-  GridPlace place_;
-  std::vector<PieceBend> bends_;
+  GridLayout layout_;
+  std::vector<TriangleBend> bends_;
   std::vector<LeanRow> leans_;
   std::vector<FurLight> lights_;
   std::vector<std::uint32_t> near_parts_;

@@ -29,10 +29,10 @@ void GpuModel::send_shape(const FurModel& model) {
 
 void GpuModel::send_looks(const RasterScene& scene) {
   const bool same =
-      held_looks_.size() == scene.skin.size() &&
-      (scene.skin.empty() || std::memcmp(held_looks_.data(), scene.skin.data(), scene.skin.size_bytes()) == 0);
+      sent_looks_.size() == scene.skin.size() &&
+      (scene.skin.empty() || std::memcmp(sent_looks_.data(), scene.skin.data(), scene.skin.size_bytes()) == 0);
   if (same) return;
-  held_looks_.assign(scene.skin.begin(), scene.skin.end());
+  sent_looks_.assign(scene.skin.begin(), scene.skin.end());
   looks.send(scene.skin);
 }
 

@@ -26,7 +26,7 @@ class GpuModel {
 
   std::uint64_t model_ = 0;
   const BaseImages* images_ = nullptr;
-  std::vector<std::array<SkinLook, 3>> held_looks_;
+  std::vector<std::array<SkinLook, 3>> sent_looks_;
 };
 
 }  // namespace pelage

@@ -10,7 +10,7 @@
 
 namespace pelage {
 
-struct GpuRaster::Held {
+struct GpuRaster::State {
   /// Number of scenes kept on the GPU, so that clients who take turns do not upload everything again.
   static constexpr std::size_t max_scenes = 4;
 
@@ -27,7 +27,7 @@ struct GpuRaster::Held {
   Status out_of_memory() {
     while (gl.GetError() != GL_NO_ERROR) {
     }
-    scenes.clear(), stages.give_back();
+    scenes.clear(), stages.release();
     return failure(Code::too_large, "no memory on the GPU for a frame of this size", "/width");
   }
 
@@ -49,13 +49,13 @@ Result<std::unique_ptr<GpuRaster>> GpuRaster::create(const Gl& gl, std::size_t m
   for (const Stage stage :
        {Stage::skin, Stage::ends, Stage::hidden, Stage::keep, Stage::place, Stage::mark, Stage::light, Stage::hand_on,
         Stage::bins, Stage::scan, Stage::sort, Stage::blend, Stage::skin_light, Stage::resolve, Stage::finish})
-    if (!raster->held_->stages.stages().begin(stage, RasterOutput::light, {}))
-      return raster->held_->stages.stages().failure();
+    if (!raster->state_->stages.stages().begin(stage, RasterOutput::light, {}))
+      return raster->state_->stages.stages().failure();
   return raster;
 }
 
 GpuRaster::GpuRaster(const Gl& gl, std::size_t max_bytes)
-    : held_(std::make_unique<Held>(Held{gl, BoxStages(gl, max_bytes)})) {}
+    : state_(std::make_unique<State>(State{gl, BoxStages(gl, max_bytes)})) {}
 GpuRaster::~GpuRaster() = default;
 
 namespace {
@@ -64,7 +64,7 @@ Status lost_it() { return failure(Code::unavailable, "the GL was reset"); }
 
 }  // namespace
 
-void GpuRaster::forget() { held_->scenes.clear(); }
+void GpuRaster::forget() { state_->scenes.clear(); }
 
 bool GpuRaster::can_draw(const FurModel& model, const GrownFur& fur) const {
   std::size_t groups = 0, side = 0;
@@ -72,22 +72,22 @@ bool GpuRaster::can_draw(const FurModel& model, const GrownFur& fur) const {
   for (const ImageView& image : model.images)
     side = std::max({side, static_cast<std::size_t>(image.width), static_cast<std::size_t>(image.height)});
   const std::size_t texels = 6 * side * side * model.images.size();  // bytes, with mip levels
-  return groups <= max_strand_groups && std::max({StrandPool::bytes_for(fur.parts()), fur.bend().pieces.size_bytes(),
-                                                  model.corners.size_bytes(), texels}) <= held_->stages.max_bytes();
+  return groups <= max_strand_groups && std::max({StrandPool::bytes_for(fur.parts()), fur.bend().triangles.size_bytes(),
+                                                  model.corners.size_bytes(), texels}) <= state_->stages.max_bytes();
 }
 
-void GpuRaster::measure(StageTimes* times) { held_->stages.stages().measure(times); }
+void GpuRaster::measure(StageTimes* times) { state_->stages.stages().measure(times); }
 
 int GpuRaster::box_pixels() const {
-  constexpr std::size_t most = 1 << 24;
-  return static_cast<int>(std::min(held_->stages.max_bytes() / 32, most));
+  constexpr std::size_t limit = 1 << 24;
+  return static_cast<int>(std::min(state_->stages.max_bytes() / 32, limit));
 }
 
 Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixels, RasterCounts& counts,
                                   const Encoding* encoding) {
   if (lost_) return lost_it();
-  SceneData& data = held_->data_of(scene);
-  BoxStages& stages = held_->stages;
+  SceneData& data = state_->data_of(scene);
+  BoxStages& stages = state_->stages;
   data.send_strands(scene);
   const StrandPlan strands = strand_plan(scene, pixels, data.pool);
   const DrawnBox box{scene, pixels, strands, tiles_of(pixels)};
@@ -96,12 +96,12 @@ Result<bool> GpuRaster::draw_rows(const RasterScene& scene, const PixelBox& pixe
   do {
     data.send_plan(strands);  // resets what stages wrote into its parts
     if (!stages.draw(box, data) || (encoding && !stages.encode(scene, *encoding))) return stages.stages().failure();
-    lost_ = !wait_for(held_->gl).ok() || held_->gl.GetGraphicsResetStatus() != GL_NO_ERROR;
+    lost_ = !wait_for(state_->gl).ok() || state_->gl.GetGraphicsResetStatus() != GL_NO_ERROR;
     if (lost_) return lost_it();
-    if (held_->gl.GetError() != GL_NO_ERROR) return held_->out_of_memory();
+    if (state_->gl.GetError() != GL_NO_ERROR) return state_->out_of_memory();
     found = stages.totals();
     if (!stages.has_room_for(found)) return false;
-  } while (stages.take_more_room(found));
+  } while (stages.grow_capacities(found));
   counts.entries += found.entries, counts.lit += found.lit_points;
   return true;
 }
@@ -110,21 +110,21 @@ Status GpuRaster::draw_box(const RasterScene& scene, const PixelBox& box, FloatI
   const Result<bool> drawn = draw_rows(scene, box, counts);
   if (!drawn) return drawn.status();
   if (!*drawn) return draw_halves(scene, box, picture, counts);
-  held_->stages.read(scene, box, picture);
+  state_->stages.read(scene, box, picture);
   return {};
 }
 
 Result<std::optional<Image>> GpuRaster::draw_picture(const RasterScene& scene, const Encoding& encoding) {
   RasterCounts counts;
-  const PixelBox whole{0, 0, scene.width, scene.height};
+  const PixelBox full_box{0, 0, scene.width, scene.height};
   const std::int64_t pixels =
       std::max(scene.width * std::int64_t{scene.height}, encoding.width * std::int64_t{encoding.height});
   if (pixels > box_pixels()) return std::optional<Image>();
-  const Result<bool> drawn = draw_rows(scene, whole, counts, &encoding);
+  const Result<bool> drawn = draw_rows(scene, full_box, counts, &encoding);
   if (!drawn) return drawn.status();
   if (!*drawn) return std::optional<Image>();
   auto picture = empty_picture<Image>(encoding.width, encoding.height);
-  held_->stages.read(picture);
+  state_->stages.read(picture);
   return std::optional<Image>(std::move(picture));
 }
 

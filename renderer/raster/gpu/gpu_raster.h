@@ -57,8 +57,8 @@ class GpuRaster {
   /// Draws the upper and the lower half of a box one after the other, if the whole does not fit into memory.
   Status draw_halves(const RasterScene& scene, const PixelBox& box, FloatImage& picture, RasterCounts& counts);
 
-  struct Held;
-  std::unique_ptr<Held> held_;
+  struct State;
+  std::unique_ptr<State> state_;
   bool lost_ = false;
 };
 

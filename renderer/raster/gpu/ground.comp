@@ -13,7 +13,7 @@ layout(std430, binding = sky_storage) readonly buffer Sky { float sky[]; };
 
 float sky_hidden_at(float first, int further) { return sky[uint(first) + uint(further)]; }
 float light_radius(uint light) { return light_widths[light].x; }
-bool is_far_light(uint light) { return light_widths[light].y > 0.5; }
+bool is_directional(uint light) { return light_widths[light].y > 0.5; }
 // Returns a point of a spiral that covers a disc evenly (Vogel 1979).
 vec2 disc_tap(int tap) {
   float angle = 2.399963 * float(tap);
@@ -23,19 +23,19 @@ vec2 disc_tap(int tap) {
 
 const uint apart = 4, side = tile_side / apart + 1;
 shared float dark[side * side];
-shared bool any_open;
+shared bool any_visible;
 
 void main() {
   uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x, lane = gl_LocalInvocationIndex;
   uint at = tile * tile_pixels + lane;
   vec4 sum = sums[at];
-  if (lane == 0) any_open = false;
+  if (lane == 0) any_visible = false;
   barrier();
-  if (sum.a > min_shown) any_open = true;
+  if (sum.a > min_visible) any_visible = true;
   barrier();
-  if (!any_open) return;
+  if (!any_visible) return;
   vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side);
-  if (lane < side * side) dark[lane] = ground_dark(ray_through(corner + float(apart) * vec2(lane % side, lane / side)));
+  if (lane < side * side) dark[lane] = ground_darkness(ray_through(corner + float(apart) * vec2(lane % side, lane / side)));
   barrier();
   vec2 place = (vec2(gl_LocalInvocationID.xy) + 0.5) / float(apart), share = fract(place);
   uint first = uint(place.y) * side + uint(place.x);

@@ -11,8 +11,8 @@ KeptStrand kept_strand(uint group, uint lane) {
   kept.strand = groups[group].y + lane;
   Part part = parts[kept.part];
   kept.there = kept.strand < part.kept &&
-               dot(root_normal(part, min(kept.strand, part.count - 1)), part.back) >= part.min_facing;
+               dot(root_normal(part, min(kept.strand, part.count - 1)), part.to_camera) >= part.min_facing;
   float left = part.exact < float(part.count) ? min((part.exact - float(kept.strand)) / (0.125 * part.exact), 1.0) : 1.0;
-  kept.widened = part.whole * max(left, 1e-6);  // above 0: the last strand may have faded to nothing
+  kept.widened = part.width_factor * max(left, 1e-6);  // above 0: the last strand may have faded to nothing
   return kept;
 }

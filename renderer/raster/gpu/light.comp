@@ -18,9 +18,9 @@ layout(std430, binding = lit_points_storage) writeonly buffer LitPoints { vec4 l
 
 // Returns the field at a strand's root; 0 if the strand stands on no triangle.
 vec3 field_at_root(uint root) {
-  uint piece = pool_words[root + 7], shares = pool_words[root + 8];
-  if (piece == 0xffffffffu) return vec3(0.0);
-  return field_at(piece, float(shares & 0xffffu) / 65535.0, float(shares >> 16) / 65535.0);
+  uint triangle = pool_words[root + 7], shares = pool_words[root + 8];
+  if (triangle == 0xffffffffu) return vec3(0.0);
+  return field_at(triangle, float(shares & 0xffffu) / 65535.0, float(shares >> 16) / 65535.0);
 }
 #else
 #include "lights.glsl"
@@ -56,18 +56,18 @@ struct LitStrand {
   Shine shine;
 };
 
-vec3 place_of(Part part, uint strand, int knot) { return point_of(part, strand, knot).xyz; }
+vec3 knot_position(Part part, uint strand, int knot) { return point_of(part, strand, knot).xyz; }
 
 LitStrand lit_strand_of(Part part, uint strand, LitKnots lit) {
-  vec3 root = place_of(part, strand, 0), before = root;
-  float way = 0.0;
+  vec3 root = knot_position(part, strand, 0), before = root;
+  float arc_length = 0.0;
   for (int p = 0; p < lit.count; ++p) {
-    vec3 place = place_of(part, strand, lit_knot(lit, part.segments, p));
-    way += length(place - before);
+    vec3 place = knot_position(part, strand, lit_knot(lit, part.segments, p));
+    arc_length += length(place - before);
     before = place;
   }
   LitStrand of;
-  of.depth = strand_depth(part, strand, root, before, way);
+  of.depth = strand_depth(part, strand, root, before, arc_length);
   uint at = root_at(part, strand);
   of.number = root_number(at, 3);
   of.shine = painted_shine(root_number(at, 6));
@@ -78,10 +78,10 @@ LitStrand lit_strand_of(Part part, uint strand, LitKnots lit) {
 
 Fibre fibre_at(Part part, uint strand, LitStrand of, int knot, vec3 colour) {
   Fibre fibre;
-  fibre.place = place_of(part, strand, knot);
+  fibre.place = knot_position(part, strand, knot);
   fibre.normal = of.depth.normal;
   fibre.tangent =
-      unit(place_of(part, strand, min(knot + 1, part.segments)) - place_of(part, strand, max(knot - 1, 0)));
+      unit(knot_position(part, strand, min(knot + 1, part.segments)) - knot_position(part, strand, max(knot - 1, 0)));
   fibre.to_camera = unit(camera_position - fibre.place);
   fibre.colour = clamp(colour, 0.0, 1.0);
   fibre.height = of.depth.reach * (float(knot) / float(part.segments));
@@ -92,7 +92,7 @@ Fibre fibre_at(Part part, uint strand, LitStrand of, int knot, vec3 colour) {
   return fibre;
 }
 
-vec3 shown_of(Fibre fibre, LitStrand of) {
+vec3 output_value(Fibre fibre, LitStrand of) {
 #if defined SHOWN_ALBEDO
   return fibre.colour;
 #elif defined SHOWN_NORMAL
@@ -114,21 +114,21 @@ vec3 shown_of(Fibre fibre, LitStrand of) {
 void main() {
   if (group_number() * strand_group >= strand_count) return;
   uint lane = lane_number(), first = first_points[lane], end = first_points[lane + 1];
-  if (end == first || end > lit_point_room) return;
+  if (end == first || end > lit_point_capacity) return;
   Part part = parts[groups[group_number()].x];
   uint strand = groups[group_number()].y + gl_LocalInvocationIndex;
-  LitKnots lit = lit_knots(part.segments, strand < lit_whole(part));
+  LitKnots lit = lit_knots(part.segments, strand < lit_from_root(part));
 #ifdef SHOWN_FIELD
   vec3 field = field_at_root(root_at(part, strand));
   for (int p = 0; p < lit.count; ++p) lit_points[first + uint(p)] = vec4(field, 0.0);
 #else
-  near_mean = (float(near_total[1]) * 4294967296.0 + float(near_total[0])) / float(near_places);
+  near_mean = (float(near_total[1]) * 4294967296.0 + float(near_total[0])) / float(near_entries);
   LitStrand of = lit_strand_of(part, strand, lit);
   for (int p = 0; p < lit.count; ++p) {
     int knot = lit_knot(lit, part.segments, p);
     vec3 colour = unpacked_colour(colour_word(part, strand, knot));
-    vec3 sent = shown_of(fibre_at(part, strand, of, knot, colour), of);
-    if (is_coloured) sent /= colour + over_black;
+    vec3 sent = output_value(fibre_at(part, strand, of, knot, colour), of);
+    if (is_coloured) sent /= colour + black_offset;
     lit_points[first + uint(p)] = vec4(sent, 0.0);
   }
 #endif

@@ -12,13 +12,13 @@ layout(std430, binding = sums_storage) buffer Sums { vec4 sums[]; };  // rgb: wh
 
 // Returns the part of an eye's light that comes from the scene's lights.
 vec3 direct_light(EyeHit hit) {
-  vec3 whole = eye_light(hit);
+  vec3 total = eye_light(hit);
   eye_lights = 0;
-  return max(whole - eye_light(hit), 0.0);
+  return max(total - eye_light(hit), 0.0);
 }
 
 // Returns what the picture shows of an eye. Lids and cornea count as reflection, not as shadow.
-vec3 shown_of(EyeHit hit, float inverse) {
+vec3 output_value(EyeHit hit, float inverse) {
 #if defined SHOWN_ALBEDO
   return eye_surface(hit).albedo;
 #elif defined SHOWN_NORMAL
@@ -43,7 +43,7 @@ void main() {
   uint inverse = eye_pixels[2 * at];
   if (inverse == 0) return;
   vec4 sum = sums[at];
-  if (!(sum.a > min_shown)) return;
+  if (!(sum.a > min_visible)) return;
   vec2 pixel = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side) + vec2(gl_LocalInvocationID.xy) + 0.5;
   take_eye(eye_pixels[2 * at + 1], int(light_count));
   EyeHit hit = hit_of_pixel(pixel);
@@ -52,5 +52,5 @@ void main() {
 #ifdef SHOWN_DEPTH
   weight = sum.a >= 0.5 && left_over < 0.5 ? 1.0 : 0.0;
 #endif
-  sums[at] = vec4(sum.rgb + weight * shown_of(hit, uintBitsToFloat(inverse)), left_over);
+  sums[at] = vec4(sum.rgb + weight * output_value(hit, uintBitsToFloat(inverse)), left_over);
 }

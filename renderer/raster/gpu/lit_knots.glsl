@@ -5,9 +5,9 @@ struct LitKnots {
   int first, count;
 };
 
-LitKnots lit_knots(int segments, bool whole) {
+LitKnots lit_knots(int segments, bool from_root) {
   LitKnots lit = LitKnots(0, segments > 8 ? min(segments / 4 + 1, max_points) : 4);
-  if (!whole) lit = LitKnots(segments / 3, max(lit.count - lit.count / 4, 2));
+  if (!from_root) lit = LitKnots(segments / 3, max(lit.count - lit.count / 4, 2));
   return lit;
 }
 int lit_knot(LitKnots lit, int segments, int point) {

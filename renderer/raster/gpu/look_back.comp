@@ -18,7 +18,7 @@ float coarse(float number) {
 }
 
 Crossed as_seen(Crossed sum) {
-  if (sum.body > crossed_one * dark_body) return Crossed(float(max_crossed_strands), float(max_crossed_body));
+  if (sum.body > crossed_one * opaque_body_depth) return Crossed(float(max_crossed_strands), float(max_crossed_body));
   return Crossed(coarse(sum.strands), coarse(sum.body));
 }
 
@@ -30,13 +30,13 @@ void add(inout Crossed sum, uint word, float share) {
 
 Crossed crossed_to(uint light, ivec3 cell) {
   uint first = light * cell_count();
-  vec3 way = to_light(light, cell);
+  vec3 direction = to_light(light, cell);
   Crossed sum = Crossed(0.0, 0.0);
   for (int s = 0; s < light_near_steps; ++s) {
-    ivec3 at = cell + ivec3(floor(0.5 + way * float(s)));
+    ivec3 at = cell + ivec3(floor(0.5 + direction * float(s)));
     if (has_cell(at)) add(sum, within[first + cell_index(at)], s == 0 ? 0.5 : 1.0);
   }
-  vec3 end = way * float(light_near_steps), low = floor(end), part = end - low;
+  vec3 end = direction * float(light_near_steps), low = floor(end), part = end - low;
   for (int k = 0; k < 8; ++k) {
     ivec3 off = ivec3(k & 1, k >> 1 & 1, k >> 2), at = cell + ivec3(low) + off;
     vec3 share = mix(1.0 - part, part, vec3(off));

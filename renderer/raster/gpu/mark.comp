@@ -16,5 +16,5 @@ void main() {
   if (first_knots[lane + 1] == first_knots[lane]) return;
   Part part = parts[groups[group_number()].x];
   uint lit = lit_strand(part, groups[group_number()].y + gl_LocalInvocationIndex, lit_strands(part));
-  first_points[part.first + lit] = uint(lit_knots(part.segments, lit < lit_whole(part)).count);
+  first_points[part.first + lit] = uint(lit_knots(part.segments, lit < lit_from_root(part)).count);
 }

@@ -5,8 +5,8 @@ layout(std430, binding = texels_storage) readonly buffer Texels { uint texels[];
 
 float corner_float(uint at) { return uintBitsToFloat(corners[at]); }
 
-float mixed_corner(PieceCorners at, uint number) {
-  uint first = 3 * corner_words * at.piece + number;
+float mixed_corner(TriangleCorners at, uint number) {
+  uint first = 3 * corner_words * at.triangle + number;
   float a = corner_float(first), b = corner_float(first + corner_words), c = corner_float(first + 2 * corner_words);
   return a + at.b * (b - a) + at.c * (c - a);
 }
@@ -38,11 +38,11 @@ vec3 image_colour(vec3 uv, float pixel) {
 }
 
 // Returns the model's own colour. `pixel` is the size of a pixel there, sizes, and `area` twice the triangle's area.
-vec3 model_colour(PieceCorners at, float pixel, float area) {
+vec3 model_colour(TriangleCorners at, float pixel, float area) {
   if (!model_colours) return frame.skin.rgb;
   vec3 colour = max(vec3(mixed_corner(at, 7), mixed_corner(at, 8), mixed_corner(at, 9)), 0.0);
   if (texel_levels == 0) return colour;
-  uint first = 3 * corner_words * at.piece + 5;
+  uint first = 3 * corner_words * at.triangle + 5;
   vec2 uv[3];
   for (uint k = 0; k < 3; ++k) uv[k] = vec2(corner_float(first + k * corner_words), corner_float(first + k * corner_words + 1));
   vec2 side = uv[1] - uv[0], other = uv[2] - uv[0];

@@ -15,13 +15,13 @@ shared uint sum_of_group;
 
 uint add_segment(vec4 a, vec4 b) {
   float over = 1.0 / near_cell;
-  vec3 way = b.xyz - a.xyz;
-  float size = length(way);
+  vec3 segment = b.xyz - a.xyz;
+  float size = length(segment);
   float steps = clamp(ceil(size * over), 1.0, 1024.0), part = 1.0 / steps;
-  uint added = uint(clamp(near_one * (a.w + b.w) * size * over * over * part, 0.0, near_step_most) + 0.5);
+  uint added = uint(clamp(near_one * (a.w + b.w) * size * over * over * part, 0.0, max_near_step) + 0.5);
   if (added == 0) return 0;
   for (float s = 0.5; s < steps; ++s) {
-    uint cell = near_index(floor(clamp((a.xyz + way * (s * part)) * over, -1e9, 1e9)));
+    uint cell = near_index(floor(clamp((a.xyz + segment * (s * part)) * over, -1e9, 1e9)));
     atomicAdd(near_cells[cell / 2], added << (cell % 2 * 16));
   }
   return added * uint(steps);

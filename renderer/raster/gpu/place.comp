@@ -21,10 +21,10 @@ uniform bool writing;
 
 // Returns whether a strand touches the box and may be visible in it: seen_lanes of renderer/raster/place-inl.h.
 bool is_seen(Part part, KeptStrand kept, PlacedStrand placed, float wider) {
-  float beside = drawn_edge + (wider - 1.0) * placed.widest;
+  float beside = drawn_margin + (wider - 1.0) * placed.widest;
   if (any(lessThanEqual(placed.high, vec2(box.xy) - beside)) || any(greaterThanEqual(placed.low, vec2(box.zw) + beside)))
     return false;
-  if (2.0 * placed.longest + wider * placed.widest > hidden_around - drawn_edge) return true;
+  if (2.0 * placed.longest + wider * placed.widest > hiding_radius - drawn_margin) return true;
   int across = tiles.x * int(tile_side) / hiding_side;
   for (int k = part.segments; k >= 0; --k) {
     Knot knot = knot_of(part, kept.strand, k, kept.widened);
@@ -47,9 +47,9 @@ DrawnStrand drawn_strand(Part part, KeptStrand kept, PlacedStrand placed, bool f
   DrawnStrand drawn;
   drawn.deep = hidden_knot(part, depth);
   drawn.first = from_root ? 0 : drawn.deep;
-  int rest = part.segments - drawn.first;
-  float wanted = placed.way / min_segment * float(rest) / float(part.segments);
-  drawn.count = min(rest, max(2, int(min(wanted, 64.0))));
+  int remaining = part.segments - drawn.first;
+  float wanted = placed.arc_length / min_segment * float(remaining) / float(part.segments);
+  drawn.count = min(remaining, max(2, int(min(wanted, 64.0))));
   float more = kept.widened * camera_scale;
   drawn.packing = packing_of(part, depth) / (more * more);
   return drawn;
@@ -67,7 +67,7 @@ Knot drawn_knot(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand dra
   float thin = knot.thickness, over = thin / max(knot.inverse, 1e-9), unresolved = clamp(1.5 - thin, 0.0, 1.0);
   float crowded = thin / (1.0 - unresolved * min(max_packed, drawn.packing * over * over));
   float above = placed.reach * (1.0 - float(number) / float(part.segments));
-  knot.thickness = number < drawn.deep ? clamp(0.5 * above, crowded, max(crowded, float(deep_of) * thin)) : crowded;
+  knot.thickness = number < drawn.deep ? clamp(0.5 * above, crowded, max(crowded, float(deep_strand_factor) * thin)) : crowded;
   return knot;
 }
 
@@ -86,21 +86,21 @@ float wider_for_curls(float thickness, float more, float step) {
 void write_strand(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, uint first) {
   Knot knot = drawn_knot(part, kept, placed, drawn, drawn.first), before;
   vec2 tip;
-  float way = 0.0;
+  float arc_length = 0.0;
   for (int i = 1; i <= drawn.count; ++i) {
     before = knot;
     knot = drawn_knot(part, kept, placed, drawn, knot_number(drawn, part.segments, i));
     tip = i == drawn.count ? rounded_tip(knot, before, part.wider * kept.widened) : knot.at;
-    way += length(tip - before.at);
+    arc_length += length(tip - before.at);
   }
-  int rest = part.segments - drawn.first;
+  int remaining = part.segments - drawn.first;
   float over = 1.0 / float(part.segments);
-  float more = drawn.count < rest ? placed.way * float(rest) * over / max(way, 1e-3) : 1.0;
+  float more = drawn.count < remaining ? placed.arc_length * float(remaining) * over / max(arc_length, 1e-3) : 1.0;
   for (int i = 0; i <= drawn.count; ++i) {
     int number = knot_number(drawn, part.segments, i);
     knot = drawn_knot(part, kept, placed, drawn, number);
     if (i == drawn.count) knot.at = tip;
-    knot.thickness = wider_for_curls(knot.thickness, more, placed.way * over);
+    knot.thickness = wider_for_curls(knot.thickness, more, placed.arc_length * over);
     uint at = 3 * (first + uint(i));
     knots[at] = floatBitsToUint(knot.at);
     knots[at + 1] = floatBitsToUint(vec2(knot.inverse, knot.thickness));
@@ -115,15 +115,15 @@ void main() {
   uint count = 0;
   if (writing) {
     uint end = first_knots[lane + 1];
-    if (end == first_knots[lane] || end > knot_room) return;
+    if (end == first_knots[lane] || end > knot_capacity) return;
   } else if (!kept.there) {
     first_knots[lane] = 0;
     return;
   }
   Part part = parts[kept.part];
-  bool from_root = kept.strand < whole_strands(part);
+  bool from_root = kept.strand < strands_from_root(part);
   PlacedStrand placed = place_strand(part, kept.strand, kept.widened);
-  if (!writing && !is_seen(part, kept, placed, from_root ? float(deep_of) : 1.0)) {
+  if (!writing && !is_seen(part, kept, placed, from_root ? float(deep_strand_factor) : 1.0)) {
     first_knots[lane] = 0;
     return;
   }

@@ -10,8 +10,8 @@ uniform uint count;
 const uint run = 1024;
 shared uint partial[256];
 
-// Returns the sum over all lanes before this one; `whole` becomes the sum over all lanes.
-uint sum_before(uint own, out uint whole) {
+// Returns the sum over all lanes before this one; `total` becomes the sum over all lanes.
+uint sum_before(uint own, out uint total) {
   uint lane = gl_LocalInvocationIndex;
   partial[lane] = own;
   barrier();
@@ -21,7 +21,7 @@ uint sum_before(uint own, out uint whole) {
     partial[lane] += other;
     barrier();
   }
-  whole = partial[255];
+  total = partial[255];
   uint before = partial[lane] - own;
   barrier();
   return before;
@@ -35,7 +35,7 @@ void scan_run(uint first, uint end, bool of_sums, inout uint carry) {
     value[k] = at + k < end ? (of_sums ? sums[at + k] : numbers[at + k]) : 0;
     own += value[k];
   }
-  uint whole, sum = carry + sum_before(own, whole);
+  uint total, sum = carry + sum_before(own, total);
   for (uint k = 0; k < 4; ++k) {
     if (at + k < end) {
       if (of_sums) sums[at + k] = sum;
@@ -43,7 +43,7 @@ void scan_run(uint first, uint end, bool of_sums, inout uint carry) {
     }
     sum += value[k];
   }
-  carry += whole;
+  carry += total;
 }
 
 void main() {

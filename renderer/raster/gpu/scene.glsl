@@ -19,16 +19,16 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
   float near_cell;
   uint fur_group_count;
   bool near_there;
-  bool far_lights;
+  bool directional_lights;
   int shading_model;
   uint light_count;
   uint key_furthest;
   int key_shift;
   uint triangle_count;
   uint strand_count;  // strands of the plan, in whole groups of strand_group
-  uint knot_room;
-  uint entry_room;
-  uint lit_point_room;
+  uint knot_capacity;
+  uint entry_capacity;
+  uint lit_point_capacity;
   uint texel_levels;  // mip levels of the model's images; 0 for none
   bool model_colours;
   int eye_count;
@@ -51,8 +51,8 @@ struct Knot {
 };
 
 // A position on a triangle of the model.
-struct PieceCorners {
-  uint piece;
+struct TriangleCorners {
+  uint triangle;
   float b, c;  // barycentrics of the second and the third corner
 };
 

@@ -8,9 +8,9 @@ namespace {
 
 void add_grid(const RasterScene& scene, SceneBlock& block) {
   if (!scene.cells) return;
-  const GridPlace& place = *scene.cells;
-  block.grid_there = 1, block.grid_low = place.low, block.grid_cell = place.cell, block.grid_size = place.size;
-  block.near_cell = near_cell_side(place.cell);
+  const GridLayout& layout = *scene.cells;
+  block.grid_there = 1, block.grid_low = layout.low, block.grid_cell = layout.cell, block.grid_size = layout.size;
+  block.near_cell = near_cell_side(layout.cell);
 }
 
 void add_ground(const RasterScene& scene, SceneBlock& block) {
@@ -23,7 +23,8 @@ void add_ground(const RasterScene& scene, SceneBlock& block) {
 
 }  // namespace
 
-SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands, const StageRooms& rooms) {
+SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands,
+                       const StageCapacities& rooms) {
   const PictureCamera& camera = scene.camera;
   const FrameOptics& optics = scene.optics;
   const TileRows tiles = tiles_of(box);
@@ -34,11 +35,11 @@ SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint3
   block.over_view = static_cast<float>(std::max(scene.width, scene.height)) / camera.scale;
   block.tiles = {tiles.across, tiles.down}, block.box = {box.left, box.top, box.right, box.bottom};
   add_grid(scene, block), add_ground(scene, block);
-  block.far_lights = optics.far_lights, block.shading_model = optics.model;
+  block.directional_lights = optics.directional_lights, block.shading_model = optics.model;
   block.light_count = static_cast<std::uint32_t>(optics.lights);
   block.key_furthest = scene.keys.furthest, block.key_shift = scene.keys.shift;
   block.triangle_count = static_cast<std::uint32_t>(scene.model->triangles.size()), block.strand_count = strands;
-  block.knot_room = rooms.knots, block.entry_room = rooms.entries, block.lit_point_room = rooms.lit_points;
+  block.knot_capacity = rooms.knots, block.entry_capacity = rooms.entries, block.lit_point_capacity = rooms.lit_points;
   block.texel_levels = optics.images ? static_cast<std::uint32_t>(optics.images->levels.size()) : 0;
   block.model_colours = optics.model_colours;
   block.eye_count = static_cast<std::int32_t>(scene.eyes.size()), block.eye_steps = optics.eyes.steps;

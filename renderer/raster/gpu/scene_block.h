@@ -11,9 +11,9 @@
 namespace pelage {
 
 /// How many knots, lit points and tile entries the buffers have room for.
-struct StageRooms {
+struct StageCapacities {
   std::uint32_t knots = 0, lit_points = 0, entries = 0;
-  bool operator==(const StageRooms&) const = default;
+  bool operator==(const StageCapacities&) const = default;
 };
 
 struct SceneBlock {
@@ -33,12 +33,12 @@ struct SceneBlock {
   glm::ivec3 grid_size{2};
   std::uint32_t grid_there = 0;
   float near_cell = 1;
-  std::uint32_t fur_groups = 0, near_there = 0, far_lights = 0;
+  std::uint32_t fur_groups = 0, near_there = 0, directional_lights = 0;
   std::int32_t shading_model = 0;
   std::uint32_t light_count = 0, key_furthest = 0;
   std::int32_t key_shift = 0;
-  std::uint32_t triangle_count = 0, strand_count = 0, knot_room = 0, entry_room = 0;
-  std::uint32_t lit_point_room = 0, texel_levels = 0, model_colours = 0;
+  std::uint32_t triangle_count = 0, strand_count = 0, knot_capacity = 0, entry_capacity = 0;
+  std::uint32_t lit_point_capacity = 0, texel_levels = 0, model_colours = 0;
   std::int32_t eye_count = 0;
   float ground_height = 0, ground_contact = 0, ground_shadow = 0, sky_cell = 1;
   glm::vec2 sky_low{0};
@@ -51,6 +51,7 @@ struct SceneBlock {
 static_assert(sizeof(SceneBlock) == 16 * (15 + max_lights + max_eyes));
 
 /// Returns the block of a box. `strands`: StrandPlan::strands.
-SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands, const StageRooms& rooms);
+SceneBlock scene_block(const RasterScene& scene, const PixelBox& box, std::uint32_t strands,
+                       const StageCapacities& rooms);
 
 }  // namespace pelage

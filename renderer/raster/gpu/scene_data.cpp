@@ -35,12 +35,12 @@ void SceneData::send(const DrawnBox& box) {
   model.update(scene), cells.prepare(scene, pool, std::exchange(strands_changed_, false));
   send_azimuthal(*scene.optics.azimuthal);
   send_eyes(scene.optics.eyes);
-  std::vector<std::uint32_t> shown(static_cast<std::size_t>(box.tiles.count()), 1);
-  for (std::size_t tile = 0; scene.drawn && tile < shown.size(); ++tile) {
+  std::vector<std::uint32_t> flags(static_cast<std::size_t>(box.tiles.count()), 1);
+  for (std::size_t tile = 0; scene.drawn && tile < flags.size(); ++tile) {
     const int x = static_cast<int>(tile) % box.tiles.across, y = static_cast<int>(tile) / box.tiles.across;
-    shown[tile] = scene.drawn->has(box.pixels.left + x * tile_side, box.pixels.top + y * tile_side);
+    flags[tile] = scene.drawn->has(box.pixels.left + x * tile_side, box.pixels.top + y * tile_side);
   }
-  drawn.send(std::span<const std::uint32_t>(shown));
+  drawn.send(std::span<const std::uint32_t>(flags));
 }
 
 }  // namespace pelage

@@ -60,7 +60,7 @@ class SceneData {
   /// Sends everything else but the plan and the rooms.
   void send(const DrawnBox& box);
   void send_plan(const StrandPlan& strands);
-  void send_rooms(const DrawnBox& box, const StageRooms& rooms) {
+  void send_capacities(const DrawnBox& box, const StageCapacities& rooms) {
     SceneBlock block = scene_block(box.scene, box.pixels, box.strands.strands(), rooms);
     block.fur_groups = cells.groups(), block.near_there = cells.has_near();
     scene_.send(raster_binding, block);

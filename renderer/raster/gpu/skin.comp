@@ -26,23 +26,23 @@ FlatCorner flat_corner(dvec3 corner) {
   return FlatCorner(dvec2(camera_middle) + dvec2(corner.x, -corner.y) * scale, inverse);
 }
 
-void meet(ivec2 pixel, float found, uint piece) {
+void meet(ivec2 pixel, float found, uint triangle) {
   if (!(found > 0.0)) return;
   uint at = 2 * pixel_index(pixel), bits = floatBitsToUint(found);
   if (!naming) atomicMax(skin_pixels[at], bits);
-  else if (skin_pixels[at] == bits) atomicMin(skin_pixels[at + 1], piece);
+  else if (skin_pixels[at] == bits) atomicMin(skin_pixels[at + 1], triangle);
 }
 
-void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ivec2 columns, uint piece) {
+void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ivec2 columns, uint triangle) {
   const double overlap = 1e-3lf;  // pixels by which neighbouring triangles overlap, so that no pixel is missed between them
   dvec2 from[3] = dvec2[3](b.at, c.at, a.at), to[3] = dvec2[3](c.at, a.at, b.at);
   dvec3 inverses = dvec3(a.inverse, b.inverse, c.inverse), at, across;
   double low = double(columns.x), high = double(columns.y);
   dvec2 first = dvec2(box.xy) + dvec2(0.5lf, double(y) + 0.5lf);
   for (int i = 0; i < 3; ++i) {
-    dvec2 way = (to[i] - from[i]) / area, off = first - from[i];
-    at[i] = way.x * off.y - way.y * off.x;
-    across[i] = -way.y;
+    dvec2 edge = (to[i] - from[i]) / area, off = first - from[i];
+    at[i] = edge.x * off.y - edge.y * off.x;
+    across[i] = -edge.y;
     if (across[i] > 0.0lf) low = max(low, -at[i] / across[i]);
     if (across[i] < 0.0lf) high = min(high, -at[i] / across[i]);
     if (across[i] == 0.0lf && at[i] < 0.0lf) return;
@@ -50,10 +50,10 @@ void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ive
   if (!(low <= high + overlap)) return;
   int begin = max(int(ceil(low - overlap)), columns.x), end = min(int(floor(high + overlap)), columns.y);
   float found = float(dot(at + across * double(begin), inverses)), rise = float(dot(across, inverses));
-  for (int x = begin; x <= end; ++x) meet(ivec2(x, y), found + rise * float(x - begin), piece);
+  for (int x = begin; x <= end; ++x) meet(ivec2(x, y), found + rise * float(x - begin), triangle);
 }
 
-void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece, uint lane) {
+void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint triangle, uint lane) {
   dvec2 low = min(min(a.at, b.at), c.at) - dvec2(box.xy), high = max(max(a.at, b.at), c.at) - dvec2(box.xy);
   dvec2 size = dvec2(box.zw - box.xy);
   if (!(high.x > 0.0lf && low.x < size.x && high.y > 0.0lf && low.y < size.y)) return;
@@ -63,12 +63,12 @@ void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint piece, uint lane) {
   ivec2 first = ivec2(clamp(floor(low), dvec2(0.0lf), size - 1.0lf));
   ivec2 last = ivec2(clamp(floor(high), dvec2(0.0lf), size - 1.0lf));
   for (int y = first.y + int(lane); y <= last.y; y += int(lanes_a_triangle))
-    cover_row(a, b, c, area, y, ivec2(first.x, last.x), piece);
+    cover_row(a, b, c, area, y, ivec2(first.x, last.x), triangle);
 }
 
 // Clips a triangle at the nearest distance (Sutherland and Hodgman 1974) and covers what is left: a fan of up to two
 // triangles.
-void clip_and_cover(dvec3 corners[3], uint piece, uint lane) {
+void clip_and_cover(dvec3 corners[3], uint triangle, uint lane) {
   const double least = double(near_distance);
   FlatCorner kept[4];
   int count = 0;
@@ -80,13 +80,13 @@ void clip_and_cover(dvec3 corners[3], uint piece, uint lane) {
       kept[count++] = flat_corner(dvec3(between.xy, least));
     }
   }
-  for (int i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], piece, lane);
+  for (int i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], triangle, lane);
 }
 
 void main() {
-  uint piece = lane_number() / lanes_a_triangle;
-  if (piece >= triangle_count) return;
+  uint triangle = lane_number() / lanes_a_triangle;
+  if (triangle >= triangle_count) return;
   dvec3 corners[3];
-  for (uint k = 0; k < 3; ++k) corners[k] = in_view(triangles[3 * piece + k]);
-  clip_and_cover(corners, piece, lane_number() % lanes_a_triangle);
+  for (uint k = 0; k < 3; ++k) corners[k] = in_view(triangles[3 * triangle + k]);
+  clip_and_cover(corners, triangle, lane_number() % lanes_a_triangle);
 }

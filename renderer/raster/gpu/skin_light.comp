@@ -22,8 +22,8 @@ layout(std430, binding = triangles_storage) readonly buffer Triangles { uint tri
 #include "../../shaders/shared/skin_light.glsl"
 #include "model_colour.glsl"
 
-float mixed_look(PieceCorners at, uint number) {
-  uint first = 18 * at.piece + number;
+float mixed_look(TriangleCorners at, uint number) {
+  uint first = 18 * at.triangle + number;
   return looks[first] + at.b * (looks[first + 6] - looks[first]) + at.c * (looks[first + 12] - looks[first]);
 }
 #endif
@@ -33,21 +33,21 @@ vec3 vertex_at(uint vertex, uint number) {
 }
 
 #ifndef SHOWN_FIELD
-vec3 normal_of(uint piece, uint k) {
-  uint at = 3 * corner_words * piece + k * corner_words + 11;
+vec3 normal_of(uint triangle, uint k) {
+  uint at = 3 * corner_words * triangle + k * corner_words + 11;
   vec3 other = vec3(corner_float(at), corner_float(at + 1), corner_float(at + 2));
-  return dot(other, other) > 0.0 ? other : vertex_at(triangles[3 * piece + k], 3);
+  return dot(other, other) > 0.0 ? other : vertex_at(triangles[3 * triangle + k], 3);
 }
 
-SkinPlace skin_place(PieceCorners at, vec3 place, vec3 way, float distance, vec3 across) {
-  float size = length(way);
-  vec3 first = normal_of(at.piece, 0);
-  SkinPlace skin;
+SkinPoint skin_point(TriangleCorners at, vec3 place, vec3 ray, float distance, vec3 across) {
+  float size = length(ray);
+  vec3 first = normal_of(at.triangle, 0);
+  SkinPoint skin;
   skin.place = place;
-  skin.to_camera = way * (-1.0 / size);
+  skin.to_camera = ray * (-1.0 / size);
   skin.pixel = frame.viewpoint.w * oversampling * distance * size;
-  skin.normal = unit(first + at.b * (normal_of(at.piece, 1) - first) + at.c * (normal_of(at.piece, 2) - first));
-  if (dot(across, way) > 0.0) skin.normal = -skin.normal;
+  skin.normal = unit(first + at.b * (normal_of(at.triangle, 1) - first) + at.c * (normal_of(at.triangle, 2) - first));
+  if (dot(across, ray) > 0.0) skin.normal = -skin.normal;
   skin.colour = model_colour(at, skin.pixel, length(across));
   skin.under = vec3(mixed_look(at, 0), mixed_look(at, 1), mixed_look(at, 2));
   skin.grown = mixed_look(at, 3);
@@ -56,7 +56,7 @@ SkinPlace skin_place(PieceCorners at, vec3 place, vec3 way, float distance, vec3
   return skin;
 }
 
-vec3 light_of(SkinPlace skin) {
+vec3 light_of(SkinPoint skin) {
   SkinLooks looks = skin_looks(skin);
 #if defined SHOWN_ALBEDO
   return skin_albedo(looks);
@@ -72,33 +72,33 @@ vec3 light_of(SkinPlace skin) {
 }
 #endif
 
-vec3 shown_of(uint piece, vec2 pixel, float inverse) {
+vec3 output_value(uint triangle, vec2 pixel, float inverse) {
 #if defined SHOWN_DISTANCE
   return vec3(1.0 / max(inverse, 1e-12), 0.0, 0.0);
 #elif defined SHOWN_DEPTH
   return vec3(inverse, 0.0, 0.0);
-#elif defined SHOWN_PIECE
-  return vec3(float(piece), 0.0, 0.0);
+#elif defined SHOWN_TRIANGLE
+  return vec3(float(triangle), 0.0, 0.0);
 #elif defined SHOWN_TANGENT || defined SHOWN_COUNT || defined SHOWN_STRAND
   return vec3(0.0);
 #else
   vec3 corner[3];
-  for (uint k = 0; k < 3; ++k) corner[k] = vertex_at(triangles[3 * piece + k], 0);
-  vec3 way = ray_through(pixel);
+  for (uint k = 0; k < 3; ++k) corner[k] = vertex_at(triangles[3 * triangle + k], 0);
+  vec3 ray = ray_through(pixel);
   float distance = 1.0 / max(inverse, 1e-20);
-  vec3 place = camera_position + way * distance, side = corner[1] - corner[0], other = corner[2] - corner[0];
+  vec3 place = camera_position + ray * distance, side = corner[1] - corner[0], other = corner[2] - corner[0];
   vec3 across = cross(side, other);
   float square = max(dot(across, across), 1e-30);
-  PieceCorners at;
-  at.piece = piece;
+  TriangleCorners at;
+  at.triangle = triangle;
   at.b = clamp(dot(cross(place - corner[0], other), across) / square, 0.0, 1.0);
   at.c = clamp(dot(cross(side, place - corner[0]), across) / square, 0.0, 1.0 - at.b);
 #if defined SHOWN_FIELD
-  return field_at(piece, at.b, at.c);
+  return field_at(triangle, at.b, at.c);
 #elif defined SHOWN_NORMAL
-  return skin_place(at, place, way, distance, across).normal;
+  return skin_point(at, place, ray, distance, across).normal;
 #else
-  return light_of(skin_place(at, place, way, distance, across));
+  return light_of(skin_point(at, place, ray, distance, across));
 #endif
 #endif
 }
@@ -107,10 +107,10 @@ void main() {
   uint tile = gl_WorkGroupID.y * uint(tiles.x) + gl_WorkGroupID.x, at = tile * tile_pixels + gl_LocalInvocationIndex;
   vec4 sum = sums[at];
   float inverse = uintBitsToFloat(skin_pixels[2 * at]), through = sum.a;
-  if (!(inverse > 0.0 && through > min_shown)) return;
+  if (!(inverse > 0.0 && through > min_visible)) return;
   vec2 pixel = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side) + vec2(gl_LocalInvocationID.xy) + 0.5;
 #ifdef SHOWN_DEPTH
   through = through >= 0.5 ? 1.0 : 0.0;
 #endif
-  sums[at] = vec4(sum.rgb + through * shown_of(skin_pixels[2 * at + 1], pixel, inverse), 0.0);
+  sums[at] = vec4(sum.rgb + through * output_value(skin_pixels[2 * at + 1], pixel, inverse), 0.0);
 }

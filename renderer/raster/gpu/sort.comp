@@ -6,7 +6,7 @@ layout(local_size_x = 256) in;
 layout(std430, binding = 0) readonly buffer TileEntries { uint tile_entries[]; };
 layout(std430, binding = 1) coherent buffer Entries { uvec2 entries[]; };
 layout(std430, binding = 2) coherent buffer Others { uvec2 others[]; };  // scratch memory
-uniform uint entry_room;
+uniform uint entry_capacity;
 
 const uint run = 2048;
 shared uvec2 sorting[run];
@@ -68,7 +68,7 @@ void merge_runs(uint first, uint end, uint size, bool in_others) {
 void main() {
   uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
   uint first = tile_entries[tile], end = tile_entries[tile + 1];
-  if (end <= first || end > entry_room) return;
+  if (end <= first || end > entry_capacity) return;
   for (uint at = first; at < end; at += run) sort_run(at, min(run, end - at));
   memoryBarrierBuffer();
   barrier();

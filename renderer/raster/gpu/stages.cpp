@@ -79,14 +79,14 @@ StageSource source_of(Stage stage) {
 }
 
 /// Returns the name by which shaders select an output; empty for light.
-std::string name_of(RasterOutput shown) {
-  switch (shown) {
+std::string name_of(RasterOutput output) {
+  switch (output) {
     case RasterOutput::light: return {};
     case RasterOutput::albedo: return "SHOWN_ALBEDO";
     case RasterOutput::normal: return "SHOWN_NORMAL";
     case RasterOutput::tangent: return "SHOWN_TANGENT";
     case RasterOutput::direct: return "SHOWN_DIRECT";
-    case RasterOutput::piece: return "SHOWN_PIECE";
+    case RasterOutput::triangle: return "SHOWN_TRIANGLE";
     case RasterOutput::field: return "SHOWN_FIELD";
     case RasterOutput::shadow: return "SHOWN_SHADOW";
     case RasterOutput::distance: return "SHOWN_DISTANCE";
@@ -100,12 +100,12 @@ std::string name_of(RasterOutput shown) {
 
 /// Returns the #define lines for an output, but only of names that the source contains, so that a stage has no more
 /// variants than it needs.
-std::string defines_of(std::string_view source, RasterOutput shown) {
+std::string defines_of(std::string_view source, RasterOutput output) {
   std::string defines;
   const auto add = [&](const std::string& name) {
     if (!name.empty() && source.find(name) != source.npos) defines += "#define " + name + "\n";
   };
-  add(name_of(shown)), add(is_coloured(shown) ? "" : "UNCOLOURED");
+  add(name_of(output)), add(is_coloured(output) ? "" : "UNCOLOURED");
   return defines;
 }
 
@@ -113,9 +113,9 @@ std::string defines_of(std::string_view source, RasterOutput shown) {
 
 const char* name_of(Stage stage) { return source_of(stage).name; }
 
-const Program* Stages::begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage) {
+const Program* Stages::begin(Stage stage, RasterOutput output, std::initializer_list<StageStorage> storage) {
   const char* source = source_of(stage).source;
-  const std::string defines = defines_of(source, shown);
+  const std::string defines = defines_of(source, output);
   const auto [found, is_new] = programs_.try_emplace({stage, defines});
   Program& program = found->second;
   if (is_new) program = Program::of_compute(gl_, source, defines);

@@ -59,9 +59,9 @@ class Stages {
  public:
   explicit Stages(const Gl& gl) : gl_(gl), timer_(gl, GL_TIME_ELAPSED) {}
 
-  /// Makes a stage current, with its storage, in the variant for `shown` if it depends on that. Returns null if the
+  /// Makes a stage current, with its storage, in the variant for `output` if it depends on that. Returns null if the
   /// stage cannot be built: `failure` says why.
-  const Program* begin(Stage stage, RasterOutput shown, std::initializer_list<StageStorage> storage);
+  const Program* begin(Stage stage, RasterOutput output, std::initializer_list<StageStorage> storage);
   /// Runs the current stage with that many work groups. What it writes is visible to later stages.
   void run(std::size_t groups) const;
   void run(glm::ivec2 groups) const;

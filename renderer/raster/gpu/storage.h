@@ -13,7 +13,9 @@ inline constexpr std::size_t word_bytes = 4;
 /// A storage buffer that only grows.
 class Storage {
  public:
-  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) { reserve(least); }  // never empty, so that it can be bound
+  explicit Storage(const Gl& gl) : gl_(&gl), buffer_(gl) {
+    reserve(min_bytes);
+  }  // never empty, so that it can be bound
 
   GLuint id() const { return buffer_.id(); }
   std::size_t bytes() const { return bytes_; }
@@ -46,7 +48,7 @@ class Storage {
   }
 
  private:
-  static constexpr std::size_t least = 16;
+  static constexpr std::size_t min_bytes = 16;
 
   const Gl* gl_;
   Buffer buffer_;

@@ -15,7 +15,7 @@ Knot knot_of(Part part, uint strand, int number, float widened) {
 // Extent of a strand on the picture.
 struct PlacedStrand {
   vec2 low, high; // its bounding box, pixels
-  float way;      // length along the strand, pixels
+  float arc_length;      // length along the strand, pixels
   float reach;    // distance from its root to its tip on the picture, pixels
   float longest;  // length of its longest segment, pixels
   float widest;   // largest half width, pixels
@@ -27,7 +27,7 @@ PlacedStrand place_strand(Part part, uint strand, float widened) {
   PlacedStrand placed;
   placed.low = vec2(1e30);
   placed.high = vec2(-1e30);
-  placed.way = placed.longest = placed.widest = placed.size = 0.0;
+  placed.arc_length = placed.longest = placed.widest = placed.size = 0.0;
   vec2 first, before;
   for (int k = 0; k <= part.segments; ++k) {
     Knot knot = knot_of(part, strand, k, widened);
@@ -37,7 +37,7 @@ PlacedStrand place_strand(Part part, uint strand, float widened) {
       first = knot.at;
     } else {
       float segment = length(knot.at - before);
-      placed.way += segment;
+      placed.arc_length += segment;
       placed.longest = max(placed.longest, segment);
       placed.size += length(place - placed.tip);
     }
@@ -58,15 +58,15 @@ struct StrandDepth {
   float reach, over;  // StrandRoot::reach; length of the fur around the strand over nominal_length
 };
 
-StrandDepth strand_depth(Part part, uint strand, vec3 root, vec3 tip, float way) {
+StrandDepth strand_depth(Part part, uint strand, vec3 root, vec3 tip, float arc_length) {
   StrandDepth depth;
   depth.root = root;
   depth.tip = tip;
   depth.normal = root_normal(part, strand);
   depth.reach = root_reach(part, strand);
-  float straight = max(length(tip - root), 0.02 * way + 1e-9);
-  float in_the_open = way / (1.0 + curl_in_shadow * max(way / straight - 1.0, 0.0));
-  depth.over = in_the_open / max(depth.reach, 0.01) / nominal_length;
+  float straight = max(length(tip - root), 0.02 * arc_length + 1e-9);
+  float exposed_length = arc_length / (1.0 + curl_in_shadow * max(arc_length / straight - 1.0, 0.0));
+  depth.over = exposed_length / max(depth.reach, 0.01) / nominal_length;
   return depth;
 }
 
@@ -84,7 +84,7 @@ int hidden_knot(Part part, StrandDepth strand) {
   for (int k = 1; k < part.segments; ++k) {
     float height = strand.reach * (float(k) / float(part.segments));
     float above = depth_above(height) * strand.over * part.crowding;
-    if (!(strands_crossed(above, way_out(height, facing), along, to_camera) >= seen_depth)) break;
+    if (!(strands_crossed(above, exit_path_length(height, facing), along, to_camera) >= seen_depth)) break;
     hidden = k;
   }
   return hidden;

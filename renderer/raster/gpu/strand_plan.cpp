@@ -9,10 +9,10 @@ namespace {
 PlannedPart planned_part(const RasterScene& scene, const GrownPart& part, PooledStrands pooled) {
   const StrandCull cull = strand_cull(scene, part);
   PlannedPart planned;
-  planned.back = cull.back, planned.min_facing = cull.min_facing;
+  planned.to_camera = cull.to_camera, planned.min_facing = cull.min_facing;
   planned.points = pooled.points, planned.words = pooled.words;
   planned.count = static_cast<std::uint32_t>(part.strands->count()), planned.kept = cull.count;
-  planned.exact = static_cast<float>(cull.exact), planned.whole = static_cast<float>(cull.whole);
+  planned.exact = static_cast<float>(cull.exact), planned.width_factor = static_cast<float>(cull.width_factor);
   planned.segments = part.strands->segments;
   planned.is_curve = part.role == StrandRole::curve, planned.has_mean = !part.strands->to_mean.empty();
   planned.lit_of = strands_of_lit(scene, part), planned.own_colour = own_colour(scene, part);

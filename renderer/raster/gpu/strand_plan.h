@@ -15,10 +15,10 @@ inline constexpr std::uint32_t strand_group = 64;  // strands of one part that a
 
 /// Part of plan.glsl, which describes the members.
 struct PlannedPart {
-  glm::vec3 back{0};
+  glm::vec3 to_camera{0};
   float min_facing = 0;
   std::uint32_t points = 0, words = 0, count = 0, kept = 0;
-  float exact = 0, whole = 1;
+  float exact = 0, width_factor = 1;
   std::uint32_t first = 0, number = 0;
   std::int32_t segments = 1;
   std::uint32_t is_curve = 0, has_mean = 0;

@@ -26,33 +26,33 @@ std::size_t StrandPool::bytes_for(std::span<const GrownPart> parts) {
 
 bool StrandPool::update(std::span<const GrownPart> parts) {
   const auto fits = [&](std::size_t i) {
-    return parts[i].strands->points.size() <= places_[i].point_room &&
-           words_of(*parts[i].strands) <= places_[i].word_room;
+    return parts[i].strands->points.size() <= ranges_[i].point_capacity &&
+           words_of(*parts[i].strands) <= ranges_[i].word_capacity;
   };
-  bool whole = places_.size() == parts.size();
-  for (std::size_t i = 0; i < parts.size() && whole; ++i) whole = fits(i);
-  if (!whole) divide(parts);
+  bool fits_all = ranges_.size() == parts.size();
+  for (std::size_t i = 0; i < parts.size() && fits_all; ++i) fits_all = fits(i);
+  if (!fits_all) divide(parts);
   bool sent = false;
   for (std::size_t i = 0; i < parts.size(); ++i)
-    if (places_[i].strands.lock() != parts[i].strands) send(parts[i], places_[i]), sent = true;
+    if (ranges_[i].strands.lock() != parts[i].strands) send(parts[i], ranges_[i]), sent = true;
   return sent;
 }
 
 void StrandPool::divide(std::span<const GrownPart> parts) {
   std::size_t points = 0, words = 0;
-  places_.assign(parts.size(), {});
+  ranges_.assign(parts.size(), {});
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    Place& place = places_[i];
-    place.at = {static_cast<std::uint32_t>(points), static_cast<std::uint32_t>(words)};
-    place.point_room = with_room(parts[i].strands->points.size());
-    place.word_room = with_room(words_of(*parts[i].strands));
-    points += place.point_room, words += place.word_room;
+    Range& range = ranges_[i];
+    range.at = {static_cast<std::uint32_t>(points), static_cast<std::uint32_t>(words)};
+    range.point_capacity = with_room(parts[i].strands->points.size());
+    range.word_capacity = with_room(words_of(*parts[i].strands));
+    points += range.point_capacity, words += range.word_capacity;
   }
   points_.reserve(std::max<std::size_t>(points, 1) * sizeof(StrandPoint));
   words_.reserve(std::max<std::size_t>(words, 1) * sizeof(std::uint32_t));
 }
 
-void StrandPool::send(const GrownPart& part, Place& place) {
+void StrandPool::send(const GrownPart& part, Range& range) {
   const StrandSet& set = *part.strands;
   std::vector<std::uint32_t> words(words_of(set));
   std::uint32_t* to = words.data();
@@ -64,9 +64,9 @@ void StrandPool::send(const GrownPart& part, Place& place) {
   append(set.colours), append(set.neighbour);
   to = &words[set.colours.size() + set.count()];  // skip the neighbours, which curves do not have
   append(set.roots), append(set.to_mean);
-  points_.send_at(place.at.points * sizeof(StrandPoint), std::span<const StrandPoint>(set.points));
-  words_.send_at(place.at.words * sizeof(std::uint32_t), std::span<const std::uint32_t>(words));
-  place.strands = part.strands;
+  points_.send_at(range.at.points * sizeof(StrandPoint), std::span<const StrandPoint>(set.points));
+  words_.send_at(range.at.words * sizeof(std::uint32_t), std::span<const std::uint32_t>(words));
+  range.strands = part.strands;
 }
 
 }  // namespace pelage

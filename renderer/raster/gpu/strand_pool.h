@@ -23,25 +23,25 @@ class StrandPool {
   /// Sends the parts that have changed. Returns whether any had.
   bool update(std::span<const GrownPart> parts);
   /// Returns where the strands of that part lie.
-  PooledStrands at(std::size_t part) const { return places_[part].at; }
+  PooledStrands at(std::size_t part) const { return ranges_[part].at; }
   const Storage& points() const { return points_; }
   const Storage& words() const { return words_; }
   /// Returns the bytes of the larger of the two buffers for these parts.
   static std::size_t bytes_for(std::span<const GrownPart> parts);
 
  private:
-  struct Place {
+  struct Range {
     std::weak_ptr<const StrandSet> strands;  // the strands that were sent
     PooledStrands at;
-    std::size_t point_room = 0, word_room = 0;
+    std::size_t point_capacity = 0, word_capacity = 0;
   };
 
   /// Assigns each part its range of the buffers, with some room to grow.
   void divide(std::span<const GrownPart> parts);
-  void send(const GrownPart& part, Place& place);
+  void send(const GrownPart& part, Range& range);
 
   Storage points_, words_;
-  std::vector<Place> places_;
+  std::vector<Range> ranges_;
 };
 
 }  // namespace pelage

@@ -13,9 +13,9 @@ layout(std430, binding = through_storage) coherent buffer Through { uint through
 // Writes what the light crosses up to a cell's far side: its own crossing plus that of its neighbours on the light's side.
 // `from`: for each axis, whether light enters from a neighbouring cell.
 void follow(uint light, ivec3 cell, bvec3 from) {
-  vec3 way = to_light(light, cell), size = abs(way);
+  vec3 direction = to_light(light, cell), size = abs(direction);
   int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
-  ivec3 step = ivec3(sign(way));
+  ivec3 step = ivec3(sign(direction));
   float longer = 1.0 / max(size[a], 0.5);
   float off_b = from[b] ? size[b] * longer : 0.0, off_c = from[c] ? size[c] * longer : 0.0;
   uint first = light * cell_count();
@@ -42,13 +42,13 @@ void wait() {
 
 // Sweeps slices across the main axis of the light's direction.
 void follow_far(uint light) {
-  vec3 way = to_light(light, ivec3(0)), size = abs(way);
+  vec3 direction = to_light(light, ivec3(0)), size = abs(direction);
   int a = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2, b = (a + 1) % 3, c = (a + 2) % 3;
   int cells = grid_size[b] * grid_size[c];
   for (int slice = 0; slice < grid_size[a]; ++slice) {
     for (int i = int(gl_LocalInvocationIndex); i < cells; i += lanes) {
       ivec3 cell;
-      cell[a] = way[a] > 0.0 ? grid_size[a] - 1 - slice : slice;
+      cell[a] = direction[a] > 0.0 ? grid_size[a] - 1 - slice : slice;
       cell[b] = i % grid_size[b];
       cell[c] = i / grid_size[b];
       follow(light, cell, bvec3(true));
@@ -60,16 +60,16 @@ void follow_far(uint light) {
 // Sweeps outwards from the cell that contains the light or is nearest to it, ordered by the number of steps to each
 // cell.
 void follow_near(uint light) {
-  ivec3 first = ivec3(clamp(light_place(light), vec3(0.0), vec3(grid_size - 1)));
+  ivec3 first = ivec3(clamp(light_in_cells(light), vec3(0.0), vec3(grid_size - 1)));
   ivec3 furthest = max(first, grid_size - 1 - first);
   int rows = grid_size.y * grid_size.z;
   for (int wave = 0; wave <= furthest.x + furthest.y + furthest.z; ++wave) {
     for (int i = int(gl_LocalInvocationIndex); i < rows; i += lanes) {
       ivec3 cell = ivec3(0, i % grid_size.y, i / grid_size.y);
-      int rest = wave - abs(cell.y - first.y) - abs(cell.z - first.z);
-      if (rest < 0) continue;
-      for (int side = -1; side <= (rest == 0 ? -1 : 1); side += 2) {
-        cell.x = first.x + side * rest;
+      int remaining = wave - abs(cell.y - first.y) - abs(cell.z - first.z);
+      if (remaining < 0) continue;
+      for (int side = -1; side <= (remaining == 0 ? -1 : 1); side += 2) {
+        cell.x = first.x + side * remaining;
         if (has_cell(cell)) follow(light, cell, notEqual(cell, first));
       }
     }

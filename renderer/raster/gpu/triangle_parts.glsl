@@ -2,7 +2,7 @@
 layout(std430, binding = vertices_storage) readonly buffer Vertices { float vertices[]; };  // position and normal of each
 layout(std430, binding = triangles_storage) readonly buffer Triangles { uint triangles[]; };
 
-vec3 corner_place(uint triangle, uint k) {
+vec3 corner_position(uint triangle, uint k) {
   uint at = 6 * triangles[3 * triangle + k];
   return vec3(vertices[at], vertices[at + 1], vertices[at + 2]);
 }

@@ -25,14 +25,14 @@ void main() {
   uint cell = lane_number();
   if (cell >= cell_count()) return;
   uint at = sum_words * cell;
-  float whole = sum_of(at);
-  vec3 way = vec3(sum_of(at + 2), sum_of(at + 4), sum_of(at + 6));
+  float total = sum_of(at);
+  vec3 direction = vec3(sum_of(at + 2), sum_of(at + 4), sum_of(at + 6));
   for (uint light = 0; light < light_count; ++light) {
     Crossed crossed = Crossed(0.0, float(body_sums[light * cell_count() + cell]) / float(body_steps));
-    if (whole > 0.0) {
-      float along = dot(way, to_light(light, cell_at(cell))) / whole;
+    if (total > 0.0) {
+      float along = dot(direction, to_light(light, cell_at(cell))) / total;
       float across = sqrt(max(1.0 - (1.0 - strand_spread) * along * along, 0.0));
-      crossed.strands = crossed_one / density_one * whole * across;
+      crossed.strands = crossed_one / density_one * total * across;
     }
     within[light * cell_count() + cell] = crossed_word(crossed);
   }

@@ -24,9 +24,9 @@ FUNCTION Bare bare_over(Bare bare, Vec3 place, Vec3 normal, Real pixel) {
 // Returns the environment's light along the mirrored view ray: a soft sky over a darker ground.
 FUNCTION Vec3 mirrored_sky(Vec3 normal, Vec3 to_camera, Real f0, Real roughness) {
   Real facing = max(dot(normal, to_camera), 0.0f);
-  Vec3 way = 2.0f * facing * normal - to_camera;
-  Real spread = mix(0.25f, 1.5f, roughness), sky = mix(0.25f, 1.15f, smoothstep(-spread, spread, way.y));
-  return frame.weights.x * environment_light(way) * (sky * schlick(f0, max(1.0f - roughness - f0, 0.0f), facing));
+  Vec3 reflected = 2.0f * facing * normal - to_camera;
+  Real spread = mix(0.25f, 1.5f, roughness), sky = mix(0.25f, 1.15f, smoothstep(-spread, spread, reflected.y));
+  return frame.weights.x * environment_light(reflected) * (sky * schlick(f0, max(1.0f - roughness - f0, 0.0f), facing));
 }
 
 // Returns the light that bare skin sends to the camera, for a light of radiance 1 from a direction.
@@ -35,14 +35,14 @@ FUNCTION Vec3 light_on_skin(Bare bare, SkinSurface surface, Vec3 to_light) {
   Vec3 wrapped = max((cosine + wrap) / (Vec3(1.0f) + wrap), 0.0f);
   Real skin = skin_highlight(surface.normal, to_light, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
   Real film = skin_highlight(surface.film, to_light, surface.to_camera, 0.03f, surface.wet_roughness);
-  Vec3 diffuse = frame.weights.y * surface.open * surface.colour * wrapped;
-  return diffuse + Vec3(surface.open * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
+  Vec3 diffuse = frame.weights.y * surface.visibility * surface.colour * wrapped;
+  return diffuse + Vec3(surface.visibility * mix(select(bare.shine > 0.0f, skin, 0.0f), film, bare.wetness));
 }
 
 // Returns the same for light from the environment.
 FUNCTION Vec3 sky_on_skin(Bare bare, SkinSurface surface) {
-  Vec3 sum = frame.weights.x * surface.open * surface.colour * environment_light(surface.normal);
+  Vec3 sum = frame.weights.x * surface.visibility * surface.colour * environment_light(surface.normal);
   Vec3 dry = mirrored_sky(surface.normal, surface.to_camera, 0.08f * bare.shine, surface.dry_roughness);
   Vec3 wet = mirrored_sky(surface.film, surface.to_camera, 0.03f, surface.wet_roughness);
-  return sum + surface.open * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
+  return sum + surface.visibility * mix(select(bare.shine > 0.0f, dry, Vec3(0.0f)), wet, bare.wetness);
 }

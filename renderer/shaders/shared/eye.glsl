@@ -5,7 +5,7 @@
 // Returns the colour of the white of the eye, which vessels redden away from the iris.
 FUNCTION Vec3 sclera_colour(EyeView view, Vec3 place) {
   Real back = acos(clamp(place.z, -1.0f, 1.0f)) - asin(clamp(eye.up.w, 0.0f, 1.0f));
-  Vec4 tissue = tissue_texel(turn_of(place.x, place.y), clamp(back * (1.0f / 1.2f), 0.0f, 1.0f),
+  Vec4 tissue = tissue_texel(angle_coordinate(place.x, place.y), clamp(back * (1.0f / 1.2f), 0.0f, 1.0f),
                              view.pixel * (float(iris_map_height) / 1.2f));
   Real lid = 1.0f - smoothstep(0.0f, 0.45f, lid_opening(unit_or_zero(place)));
   Real red = clamp(0.75f * lid + 0.5f * smoothstep(0.15f, 1.0f, back), 0.0f, 1.0f);
@@ -18,23 +18,23 @@ FUNCTION Vec3 sclera_colour(EyeView view, Vec3 place) {
 FUNCTION Real wrapped_light(Real cosine, float wrap) { return max((cosine + wrap) * (1.0f / (1.0f + wrap)), 0.0f); }
 
 FUNCTION Vec3 sclera_light(EyeView view, Vec3 place, Vec3 normal) {
-  Vec3 sum = Vec3(open_sky(place) * frame.weights.x);
+  Vec3 sum = Vec3(sky_visibility(place) * frame.weights.x);
   for (int i = 0; i < eye_lights; ++i) {
     Arriving light = light_on_eye(i, place);
     Real cosine = dot(normal, light.to_light);
     Vec3 wrapped = Vec3(wrapped_light(cosine, 0.45f), wrapped_light(cosine, 0.28f), wrapped_light(cosine, 0.22f));
-    sum += light.radiance * wrapped * past_lids(place, light.to_light);
+    sum += light.radiance * wrapped * lid_visibility(place, light.to_light);
   }
   return sclera_colour(view, place) * sum;
 }
 
 // Returns the environment's light along a reflected ray: a soft sky, a darker ground, and fur beside the eye.
-FUNCTION Vec3 surroundings_along(Vec3 way, Vec3 place) {
-  Real height = eye.right.y * way.x + eye.up.y * way.y + eye.forward.y * way.z;
+FUNCTION Vec3 surroundings_along(Vec3 direction, Vec3 place) {
+  Real height = eye.right.y * direction.x + eye.up.y * direction.y + eye.forward.y * direction.z;
   Vec3 facing = eye.lid_right.w == 0.0f ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(eye.lid_facing);
   Real share = mix(0.30f, 1.15f, smoothstep(-0.25f, 0.75f, height)) *
-               mix(0.08f, 1.0f, smoothstep(-0.15f, 0.55f, dot(way, facing)));
-  return Vec3(surroundings) * (share * past_lids(place, way));
+               mix(0.08f, 1.0f, smoothstep(-0.15f, 0.55f, dot(direction, facing)));
+  return Vec3(surroundings) * (share * lid_visibility(place, direction));
 }
 
 // Returns the Fresnel reflectance of unpolarised light, as in renderer/eye/optics.cpp.
@@ -52,13 +52,13 @@ FUNCTION Vec3 light_in_tear_film(EyeView view, Vec3 place, Vec3 normal) {
   float disc = 0.5f + wetness * (0.11f - 0.5f);  // radians
   float gain = 1.0f / (sin(disc) * sin(disc));
   Real cosine = dot(view.along, normal);
-  Vec3 way = view.along - 2.0f * min(cosine, 0.0f) * normal;
-  Vec3 sum = surroundings_along(way, place);
+  Vec3 direction = view.along - 2.0f * min(cosine, 0.0f) * normal;
+  Vec3 sum = surroundings_along(direction, place);
   for (int i = 0; i < eye_lights; ++i) {
     Arriving light = light_on_eye(i, place);
-    Real off = acos(clamp(dot(way, light.to_light), -1.0f, 1.0f));
+    Real off = acos(clamp(dot(direction, light.to_light), -1.0f, 1.0f));
     Real shown = 1.0f - smoothstep(0.85f * disc, 1.15f * disc, off);
-    if (any_lane(shown > 0.0f)) sum += light.radiance * (gain * shown * past_lids(place, light.to_light));
+    if (any_lane(shown > 0.0f)) sum += light.radiance * (gain * shown * lid_visibility(place, light.to_light));
   }
   return sum * (eye_reflectance(-cosine) * (0.35f + 0.65f * wetness));
 }
@@ -107,10 +107,10 @@ FUNCTION Vec3 eyeball_light(EyeView view, Vec3 place) {
   Vec3 seen = Vec3(0.0f);
   if (any_lane(cornea < 1.0f)) seen = sclera_light(view, place, normal);
   if (any_lane(cornea > 0.0f)) seen = mix(seen, iris_light(view, place, normal), cornea);
-  Real kept = 1.0f - eye_reflectance(-dot(view.along, normal));
+  Real transmitted = 1.0f - eye_reflectance(-dot(view.along, normal));
   Real opening = lid_opening(unit_or_zero(place));
   Real shaded = mix(0.30f, 1.0f, smoothstep(0.0f, 0.30f, opening));  // shadow of lids and lashes
-  return shaded * (seen * kept + light_in_tear_film(view, place, normal));
+  return shaded * (seen * transmitted + light_in_tear_film(view, place, normal));
 }
 
 // Where rays enter a sphere.
@@ -138,30 +138,30 @@ struct EyeHit {
   Vec3 ball, lid;      // positions
   Vec3 along;          // direction of the ray, unit
   Real pixel;          // size of a pixel at the eye, radii
-  Real open, covered;  // shares of the pixel that the ball covers, and the eye with its lids
+  Real ball_covered, covered;  // shares of the pixel that the ball covers, and the eye with its lids
   Real shut;           // share of that which lids cover
   Vec3 nearest;        // the nearer one of the two positions
 };
 
 // Returns the distance at which a ray has passed the nearer of two opposite sides of a box.
-FUNCTION Real way_to_sides(Real along, float from, float high, float low) {
+FUNCTION Real distance_to_sides(Real along, float from, float high, float low) {
   Real to = select(along > 0.0f, low - from, high - from);
   return select(abs(along) > 1e-9f, to / along, -1e30f);
 }
 
 // Returns the distance at which rays enter the eye's bounding box, where the shader takes the size of a pixel.
-FUNCTION Real way_to_box(Vec3 along) {
+FUNCTION Real distance_to_box(Vec3 along) {
   float side = 1.02f * float(lid_radius), top = 1.02f * max(float(lid_radius), eye.cornea.x + eye.cornea.y);
-  return max(way_to_sides(along.x, eye_viewer.x, side, -side),
-             max(way_to_sides(along.y, eye_viewer.y, side, -side), way_to_sides(along.z, eye_viewer.z, top, -side)));
+  return max(distance_to_sides(along.x, eye_viewer.x, side, -side),
+             max(distance_to_sides(along.y, eye_viewer.y, side, -side), distance_to_sides(along.z, eye_viewer.z, top, -side)));
 }
 
-// Intersects an eye. `way`: direction in the eye's frame, of any length; `pixel_angle`: angle of a pixel.
-FUNCTION EyeHit meet_eye(Vec3 way, float pixel_angle) {
+// Intersects an eye. `direction`: in the eye's frame, of any length; `pixel_angle`: angle of a pixel.
+FUNCTION EyeHit intersect_eye(Vec3 direction, float pixel_angle) {
   EyeHit hit;
-  hit.along = unit(way);
+  hit.along = unit(direction);
   Vec3 from = Vec3(eye_viewer), close_by = from - hit.along * dot(from, hit.along);
-  Real middle = length(close_by - from), before = way_to_box(hit.along);
+  Real middle = length(close_by - from), before = distance_to_box(hit.along);
   hit.pixel = max(pixel_angle * clamp(before, middle - 2.0f, middle), 1e-6f);
   BallHit ball = enter_ball(close_by, hit.along, hit.pixel, 0.0f, 1.0f);
   BallHit dome = enter_ball(close_by, hit.along, hit.pixel, eye.cornea.x, eye.cornea.y);
@@ -170,12 +170,12 @@ FUNCTION EyeHit meet_eye(Vec3 way, float pixel_angle) {
                    either(ball.covered <= 0.0f, dot(dome.place - ball.place, hit.along) < 0.0f));
   hit.ball = select(over, dome.place, ball.place);
   hit.lid = lid.place;
-  hit.open = max(ball.covered, dome.covered);
+  hit.ball_covered = max(ball.covered, dome.covered);
   hit.shut = Real(0.0f);
   if (eye.lid_right.w != 0.0f && length(eye_viewer) > float(lid_radius)) {
     hit.shut = 1.0f - smoothstep(-0.5f * hit.pixel, 0.5f * hit.pixel, lid_opening(unit_or_zero(lid.place)));
   }
-  hit.covered = mix(hit.open, lid.covered, hit.shut);
+  hit.covered = mix(hit.ball_covered, lid.covered, hit.shut);
   hit.nearest = select(hit.shut > 0.5f, hit.lid, hit.ball);
   // Ignores eyes behind or around the camera.
   hit.there = both(hit.covered > 0.0f, dot(hit.nearest - from, hit.along) > 0.0f);
@@ -192,7 +192,7 @@ FUNCTION EyeView eye_view(EyeHit hit) {
 // Returns the light of the hit, clamped because values beyond half float would blend badly on the GPU.
 FUNCTION Vec3 eye_light(EyeHit hit) {
   EyeView view = eye_view(hit);
-  Mask ball = both(hit.there, both(hit.shut < 1.0f, hit.open > 0.0f)), lid = both(hit.there, hit.shut > 0.0f);
+  Mask ball = both(hit.there, both(hit.shut < 1.0f, hit.ball_covered > 0.0f)), lid = both(hit.there, hit.shut > 0.0f);
   Vec3 light = Vec3(0.0f);
   if (any_lane(ball)) light = select(ball, eyeball_light(view, hit.ball), light);
   if (any_lane(lid)) light = select(lid, mix(light, lid_light(view, hit.lid), hit.shut), light);

@@ -48,7 +48,7 @@ FUNCTION GridCells cells_off_skin(Vec3 place, Vec3 normal) {
 }
 
 // Returns the transmittance of strands, each of which stops a share `stopped` of the light, and of the body.
-FUNCTION Vec3 let_through(Crossing crossed, Vec3 stopped) {
+FUNCTION Vec3 transmittance_of(Crossing crossed, Vec3 stopped) {
   return Vec3(exp2(-1.442695f * mul_add(crossed.strands, stopped.x, crossed.body)),
               exp2(-1.442695f * mul_add(crossed.strands, stopped.y, crossed.body)),
               exp2(-1.442695f * mul_add(crossed.strands, stopped.z, crossed.body)));

@@ -1,5 +1,5 @@
 // The shadow of a model on the ground. Reads the same as grid_shadow.glsl; of the scene ground_height, ground_contact,
-// ground_shadow, light_radius, is_far_light and disc_tap; and the map of sky occlusion over the ground: sky_low,
+// ground_shadow, light_radius, is_directional and disc_tap; and the map of sky occlusion over the ground: sky_low,
 // sky_cell, sky_size and the function sky_hidden_at.
 
 // Reads the map bilinearly: share of the sky that is occluded, 0 outside of the map.
@@ -23,57 +23,57 @@ struct GridEntry {
 };
 
 // The range of distances at which a path lies between planes.
-struct WayBetween {
+struct RayInterval {
   Real begin, end;
 };
 
-FUNCTION WayBetween between_planes(WayBetween way, Real at, Real step, float low, float high) {
+FUNCTION RayInterval between_planes(RayInterval ray, Real at, Real step, float low, float high) {
   Real over = 1.0f / select(abs(step) > 1e-6f, step, 1e-6f);
   Real first = (Real(low) - at) * over, last = (Real(high) - at) * over;
-  way.begin = max(way.begin, min(first, last));
-  way.end = min(way.end, max(first, last));
-  return way;
+  ray.begin = max(ray.begin, min(first, last));
+  ray.end = min(ray.end, max(first, last));
+  return ray;
 }
 
-FUNCTION GridEntry grid_entry(Vec3 from, Vec3 way) {
-  WayBetween inside;
+FUNCTION GridEntry grid_entry(Vec3 from, Vec3 ray) {
+  RayInterval inside;
   inside.begin = Real(0.0f);
   inside.end = Real(1e9f);
-  inside = between_planes(inside, from.x, way.x, grid_low.x, grid_low.x + grid_cell * float(grid_size.x));
-  inside = between_planes(inside, from.y, way.y, grid_low.y, grid_low.y + grid_cell * float(grid_size.y));
-  inside = between_planes(inside, from.z, way.z, grid_low.z, grid_low.z + grid_cell * float(grid_size.z));
+  inside = between_planes(inside, from.x, ray.x, grid_low.x, grid_low.x + grid_cell * float(grid_size.x));
+  inside = between_planes(inside, from.y, ray.y, grid_low.y, grid_low.y + grid_cell * float(grid_size.y));
+  inside = between_planes(inside, from.z, ray.z, grid_low.z, grid_low.z + grid_cell * float(grid_size.z));
   GridEntry entry;
-  entry.place = from + way * inside.begin;
+  entry.place = from + ray * inside.begin;
   entry.there = inside.begin < inside.end;
   return entry;
 }
 
 // Returns the share of a light that reaches a position on the ground past the body and strands that stop `stopped`.
-FUNCTION Real light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
+FUNCTION Real light_visibility(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
   GridEntry entry = grid_entry(place, to_light);
   if (!any_lane(entry.there)) return Real(1.0f);
   Crossing crossed = crossed_at(light, grid_cells(entry.place));
-  return select(entry.there, luminance(let_through(crossed, stopped)), 1.0f);
+  return select(entry.there, luminance(transmittance_of(crossed, stopped)), 1.0f);
 }
 
 // Returns the same for a light with a size, by samples of its disc. Its radius is in sizes; that of a directional light
 // is the tangent of half its angle.
-FUNCTION Real wide_light_past(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
+FUNCTION Real area_light_visibility(Index light, Vec3 place, Vec3 to_light, Vec3 stopped) {
   float radius = light_radius(light);
-  if (!(radius > 0.0f)) return light_past(light, place, to_light, stopped);
+  if (!(radius > 0.0f)) return light_visibility(light, place, to_light, stopped);
   Real spread = Real(radius);
-  if (!is_far_light(light)) spread = spread / max(length(Vec3(frame.lights[light].position) - place), 1e-3f);
+  if (!is_directional(light)) spread = spread / max(length(Vec3(frame.lights[light].position) - place), 1e-3f);
   Vec3 across = unit(cross(to_light, Vec3(1.0f, 0.0f, 0.0f))), up = cross(across, to_light);  // the light is above
   Real sum = Real(0.0f);
   for (int tap = 0; tap < ground_light_taps; ++tap) {
     Vec3 off = disc_tap(tap).x * across + disc_tap(tap).y * up;
-    sum += light_past(light, place, unit(to_light + spread * off), stopped);
+    sum += light_visibility(light, place, unit(to_light + spread * off), stopped);
   }
   return sum * (1.0f / float(ground_light_taps));
 }
 
 // Returns the share of the ground's light that is occluded at a position, summed as the tracer does.
-FUNCTION Real light_missing(Vec3 place) {
+FUNCTION Real ground_occlusion(Vec3 place) {
   Vec3 crossed = Vec3(frame.ramp_root) * Vec3(frame.colour_above[0]), stopped = stopped_by_strand(crossed, 1.0f);
   Real whole = Real(frame.weights.x), missing = frame.weights.x * ground_contact * sky_hidden(place);
   for (Index i = 0; i < light_count; ++i) {
@@ -81,18 +81,18 @@ FUNCTION Real light_missing(Vec3 place) {
     Real arrives = frame.weights.y * max(light.to_light.y, 0.0f) * luminance(light.radiance);
     whole += arrives;
     if (!any_lane(arrives > 0.0f)) continue;
-    missing += arrives * ground_shadow * (1.0f - wide_light_past(i, place, light.to_light, stopped));
+    missing += arrives * ground_shadow * (1.0f - area_light_visibility(i, place, light.to_light, stopped));
   }
   return clamp(missing / max(whole, 1e-6f), 0.0f, 1.0f);
 }
 
 // Returns how dark the ground is where rays from the camera hit it; the shadow fades out away from the middle.
-FUNCTION Real ground_dark(Vec3 way) {
+FUNCTION Real ground_darkness(Vec3 ray) {
   float faded_from = 1.0f, faded_to = 3.5f;  // sizes from the middle
-  Real distance = (ground_height - camera_position.y) / min(way.y, -1e-9f);
-  Vec3 place = Vec3(camera_position) + way * distance;
+  Real distance = (ground_height - camera_position.y) / min(ray.y, -1e-9f);
+  Vec3 place = Vec3(camera_position) + ray * distance;
   Real from_middle = length(Vec3(place.x, Real(0.0f), place.z));
-  Mask there = both(way.y < -1e-9f, from_middle < faded_to);
+  Mask there = both(ray.y < -1e-9f, from_middle < faded_to);
   if (!any_lane(there)) return Real(0.0f);
-  return select(there, light_missing(place) * (1.0f - smoothstep(faded_from, faded_to, from_middle)), 0.0f);
+  return select(there, ground_occlusion(place) * (1.0f - smoothstep(faded_from, faded_to, from_middle)), 0.0f);
 }

@@ -35,7 +35,7 @@ FUNCTION Real lid_opening(Vec3 direction) {
 }
 
 // Returns the share of the light from a direction that gets past the lids to a position under them.
-FUNCTION Real past_lids(Vec3 place, Vec3 to_light) {
+FUNCTION Real lid_visibility(Vec3 place, Vec3 to_light) {
   if (eye.lid_right.w == 0.0f) return Real(1.0f);
   Real along = dot(place, to_light), apart = float(lid_radius) * float(lid_radius) - dot(place, place);
   Real path = sqrt(max(along * along + apart, 0.0f)) - along;
@@ -43,7 +43,7 @@ FUNCTION Real past_lids(Vec3 place, Vec3 to_light) {
   return select(apart <= 0.0f, 1.0f, share);
 }
 
-FUNCTION Real open_sky(Vec3 place) {
+FUNCTION Real sky_visibility(Vec3 place) {
   return mix(0.22f, 1.0f, smoothstep(-0.05f, 0.55f, lid_opening(unit_or_zero(place))));
 }
 
@@ -64,16 +64,16 @@ FUNCTION Vec4 tissue_texel(Real around, Real along, Real pixel_rows) {
 }
 
 // Returns the angle around the axis in turns, relative to the rotation of the fibres.
-FUNCTION Real turn_of(Real x, Real y) { return atan2(y, x) * 0.15915494f + eye.inner.w; }
+FUNCTION Real angle_coordinate(Real x, Real y) { return atan2(y, x) * 0.15915494f + eye.inner.w; }
 
 FUNCTION Vec4 iris_tissue(EyeView view, Vec2 at, Real edge) {
-  Real room = max(eye.up.w - edge, 0.02f);
-  Real along = clamp((length(at) - edge) / room, 0.0f, 1.0f);
-  return tissue_texel(turn_of(at.x, at.y), along, view.pixel * float(iris_map_height) / room);
+  Real ring_width = max(eye.up.w - edge, 0.02f);
+  Real along = clamp((length(at) - edge) / ring_width, 0.0f, 1.0f);
+  return tissue_texel(angle_coordinate(at.x, at.y), along, view.pixel * float(iris_map_height) / ring_width);
 }
 
 // Returns the position on one axis of a caustic map, in texels.
-FUNCTION Real caustic_place(Real turned) {
+FUNCTION Real caustic_coordinate(Real turned) {
   float texels = float(caustic_texels);
   return clamp((turned * (0.5f / eye.up.w) + 0.5f) * texels - 0.5f, 0.0f, texels - 1.0f);
 }
@@ -92,7 +92,7 @@ FUNCTION Real caustic(Vec2 at, Vec3 to_light) {
   Real angle = acos(clamp(to_light.z, -1.0f, 1.0f)) * (last_angle / float(caustic_reach));
   Real scale = 1.0f / sqrt(max(to_light.x * to_light.x + to_light.y * to_light.y, 1e-12f));
   Real from_x = to_light.x * scale, from_y = to_light.y * scale;
-  Real x = caustic_place(at.x * from_x + at.y * from_y), y = caustic_place(from_x * at.y - from_y * at.x);
+  Real x = caustic_coordinate(at.x * from_x + at.y * from_y), y = caustic_coordinate(from_x * at.y - from_y * at.x);
   Real left = min(floor(x), texels - 2.0f), top = min(floor(y), texels - 2.0f);
   Real lower_map = clamp(floor(angle), 0.0f, last_angle - 1.0f);
   Real texel = ((eye.pupil.w + lower_map) * texels + top) * texels + left;
@@ -105,8 +105,8 @@ FUNCTION Real caustic(Vec2 at, Vec3 to_light) {
 FUNCTION Real pupil_edge(Vec2 at) {
   float width = max(eye.pupil.x * eye.up.w, 1e-4f), height = max(eye.pupil.y * eye.up.w, 1e-4f);
   if (eye.pupil.z < 0.5f) return Real(width);
-  Vec2 way = at * (1.0f / sqrt(max(at.x * at.x + at.y * at.y, 1e-12f)));
-  Real a = abs(way.x) * (1.0f / width), b = way.y * way.y * (1.0f / (height * height));
+  Vec2 direction = at * (1.0f / sqrt(max(at.x * at.x + at.y * at.y, 1e-12f)));
+  Real a = abs(direction.x) * (1.0f / width), b = direction.y * direction.y * (1.0f / (height * height));
   Real almond = 2.0f / (a + sqrt(a * a + 4.0f * b));  // |x| / w + (y / h)^2 = 1
   return 0.5f * (almond + 1.0f / sqrt(a * a + b));    // mean with an ellipse
 }
@@ -124,21 +124,21 @@ struct IrisLight {
   Real rising[max_lights];    // cosine of the refracted light to the axis
   Real scattered[max_lights];
   Vec3 sky;
-  Vec3 whole;  // sum of all lights and the sky
+  Vec3 total;  // sum of all lights and the sky
 };
 
 FUNCTION IrisLight light_on_iris(Vec3 surface, Vec3 normal, Vec3 inside, Vec2 at) {
   IrisLight lights;
-  lights.sky = Vec3(open_sky(surface) * frame.weights.x);
-  lights.whole = lights.sky;
+  lights.sky = Vec3(sky_visibility(surface) * frame.weights.x);
+  lights.total = lights.sky;
   for (int i = 0; i < eye_lights; ++i) {
     Arriving light = light_on_eye(i, surface);
-    lights.arriving[i] = light.radiance * (caustic(at, light.to_light) * past_lids(surface, light.to_light));
+    lights.arriving[i] = light.radiance * (caustic(at, light.to_light) * lid_visibility(surface, light.to_light));
     Vec3 facing = select(dot(light.to_light, normal) > 0.0f, normal, light.to_light);
-    Vec3 way = refracted(-light.to_light, facing);
-    lights.rising[i] = max(-way.z, 0.15f);
-    lights.scattered[i] = scattered_by_tissue(-dot(way, inside));
-    lights.whole += lights.arriving[i];
+    Vec3 direction = refracted(-light.to_light, facing);
+    lights.rising[i] = max(-direction.z, 0.15f);
+    lights.scattered[i] = scattered_by_tissue(-dot(direction, inside));
+    lights.total += lights.arriving[i];
   }
   return lights;
 }
@@ -154,7 +154,7 @@ FUNCTION Vec3 flat_iris(EyeView view, Vec2 at, Vec3 arriving) {
 
 // Returns the light that a step through tissue sends back by single scattering, relative to thick tissue: attenuated on
 // the light's path to the step and inside it, and on the ray's path inside it. Steps of any size add up to 1.
-FUNCTION Real sent_back(Real above, Real thick, Real slant, Real rising) {
+FUNCTION Real single_scattering(Real above, Real thick, Real slant, Real rising) {
   Real over = 1.0f / rising;
   return exp(-above * over) * (1.0f - exp(-thick * (slant + over)));
 }
@@ -166,10 +166,10 @@ struct IrisStep {
 };
 
 FUNCTION Vec3 light_of_step(In(IrisLight) lights, IrisStep part, Vec4 tissue) {
-  Vec3 light = lights.sky * sent_back(part.above, part.thick, part.slant, 2.0f);
+  Vec3 light = lights.sky * single_scattering(part.above, part.thick, part.slant, 2.0f);
   for (int i = 0; i < eye_lights; ++i) {
     light +=
-        lights.arriving[i] * (lights.scattered[i] * sent_back(part.above, part.thick, part.slant, lights.rising[i]));
+        lights.arriving[i] * (lights.scattered[i] * single_scattering(part.above, part.thick, part.slant, lights.rising[i]));
   }
   Vec3 colour = tissue_colour(tissue);
   return light * mix(colour, colour * colour, clamp(part.below, 0.0f, 1.0f)) * (tissue.x * 1.5f);
@@ -205,7 +205,7 @@ FUNCTION Vec3 marched_iris(EyeView view, Vec2 top, Vec2 bottom, Real slant, In(I
   }
   Vec3 colour = Vec3(eye.iris);
   Real seen = smoothstep(-view.pixel, view.pixel, length(bottom) - pupil_edge(bottom));
-  return sum + lights.whole * colour * colour * (0.25f * passed * seen);
+  return sum + lights.total * colour * colour * (0.25f * passed * seen);
 }
 
 // Where the ray that enters the cornea at a position hits the plane of the iris.
@@ -237,10 +237,10 @@ FUNCTION Vec3 iris_light(EyeView view, Vec3 place, Vec3 normal) {
   IrisLight lights = light_on_iris(place, normal, inside, bottom);
   Vec3 seen;
   if (eye_steps <= 1) {
-    seen = flat_iris(view, bottom, lights.whole);
+    seen = flat_iris(view, bottom, lights.total);
   } else {
     seen = marched_iris(view, top, bottom, behind.over, lights);
   }
   Real ring = eye.iris.w * smoothstep(0.72f, 0.98f, length(bottom) * (1.0f / radius));
-  return mix(seen * (1.0f - 0.92f * ring), Vec3(eye.iris) * (0.03f * open_sky(place)), wall);
+  return mix(seen * (1.0f - 0.92f * ring), Vec3(eye.iris) * (0.03f * sky_visibility(place)), wall);
 }

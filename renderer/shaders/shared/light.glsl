@@ -1,5 +1,5 @@
 // Light on fur: the light that arrives, and the share that fur transmits. Reads the block `frame`; the includer defines
-// far_lights and white_surroundings.
+// directional_lights and white_surroundings.
 
 // What lies between a position and a light: number of strands, and optical depth of the body.
 struct Crossing {
@@ -11,7 +11,7 @@ FUNCTION Arriving light_at(Index i, Vec3 place) {
   Arriving arriving;
   arriving.to_light = -Vec3(light.direction);
   arriving.radiance = Vec3(light.radiance);
-  if (far_lights) return arriving;
+  if (directional_lights) return arriving;
   Vec3 apart = Vec3(light.position) - place;
   Real square = max(dot(apart, apart), float(min_light_square));
   if (light.direction.w > 0.5f) {  // not a directional light
@@ -40,8 +40,8 @@ FUNCTION Vec3 stopped_by_strand(Vec3 colour, float part) {
 FUNCTION Vec3 ambient_share(Real height, Real above, Vec3 stopped) {
   Vec3 a = above * stopped, one = Vec3(1.0f);
   Vec3 reached = (one + a) / (one + a * (Vec3(2.5707963f) + a * (Vec3(1.21f) + a * 0.5f)));
-  Vec3 open = mix(Vec3(height), reached, min(frame.exponents.w, 1.0f));
-  return mix(Vec3(frame.weights.w), one, open);
+  Vec3 visibility = mix(Vec3(height), reached, min(frame.exponents.w, 1.0f));
+  return mix(Vec3(frame.weights.w), one, visibility);
 }
 
 // Returns the environment's irradiance over pi on a surface with that normal; 1 for a white environment.
@@ -58,8 +58,8 @@ FUNCTION Vec3 environment_light(Vec3 n) {
 
 FUNCTION FibreView view_of(Fibre fibre) {
   FibreView view;
-  view.way = way_out(fibre.height, dot(fibre.normal, fibre.to_camera));
-  view.strands = strands_crossed(fibre.above, view.way, fibre.tangent, fibre.to_camera);
+  view.path = exit_path_length(fibre.height, dot(fibre.normal, fibre.to_camera));
+  view.strands = strands_crossed(fibre.above, view.path, fibre.tangent, fibre.to_camera);
   view.widths = fibre.above / max(frame.counts.y, 1e-6f) * max(dot(fibre.tangent, fibre.normal), 0.15f);
   return view;
 }

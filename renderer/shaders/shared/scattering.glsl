@@ -32,14 +32,14 @@ FUNCTION Vec3 scatter_scheuermann(Fibre s, Vec3 to_light) {
 }
 
 // Returns the longitudinal terms of R, TT, TRT and the residual.
-FUNCTION Vec4 longitudinal_lobes(Real sine_light, FibreEye eye) {
-  return Vec4(longitudinal_lobe(sine_light, eye, scattering.tilt_sine.x, scattering.tilt_cosine.x,
+FUNCTION Vec4 longitudinal_lobes(Real sine_light, FibreViewTerms view_terms) {
+  return Vec4(longitudinal_lobe(sine_light, view_terms, scattering.tilt_sine.x, scattering.tilt_cosine.x,
                                 scattering.over_variance.x, scattering.normaliser.x),
-              longitudinal_lobe(sine_light, eye, scattering.tilt_sine.y, scattering.tilt_cosine.y,
+              longitudinal_lobe(sine_light, view_terms, scattering.tilt_sine.y, scattering.tilt_cosine.y,
                                 scattering.over_variance.y, scattering.normaliser.y),
-              longitudinal_lobe(sine_light, eye, scattering.tilt_sine.z, scattering.tilt_cosine.z,
+              longitudinal_lobe(sine_light, view_terms, scattering.tilt_sine.z, scattering.tilt_cosine.z,
                                 scattering.over_variance.z, scattering.normaliser.z),
-              longitudinal_lobe(sine_light, eye, scattering.tilt_sine.w, scattering.tilt_cosine.w,
+              longitudinal_lobe(sine_light, view_terms, scattering.tilt_sine.w, scattering.tilt_cosine.w,
                                 scattering.over_variance.w, scattering.normaliser.w));
 }
 
@@ -56,25 +56,25 @@ FUNCTION Vec3 absorption_coordinates(Vec3 colour) {
   return exp2(scattering.exponents.w * log2(clamp(colour, 1e-6f, 1.0f)));
 }
 
-FUNCTION FibreEye fibre_eye(Fibre s) {
+FUNCTION FibreViewTerms fibre_view_terms(Fibre s) {
   Real along = dot(s.tangent, s.to_camera);
-  FibreEye eye;
-  eye.sine = clamp(-along, -1.0f, 1.0f);
-  eye.cosine = sine_to(eye.sine);
-  eye.aside = s.to_camera - s.tangent * along;
-  eye.absorption = absorption_coordinates(s.colour);
-  return eye;
+  FibreViewTerms view_terms;
+  view_terms.sine = clamp(-along, -1.0f, 1.0f);
+  view_terms.cosine = sine_to(view_terms.sine);
+  view_terms.aside = s.to_camera - s.tangent * along;
+  view_terms.absorption = absorption_coordinates(s.colour);
+  return view_terms;
 }
 
 // Single scattering of the two fibre models.
-FUNCTION Vec3 scatter_fibre(Fibre s, FibreEye eye, Vec3 to_light, bool marschner) {
-  Real sine_light = clamp(-dot(s.tangent, to_light), -1.0f, 1.0f), azimuth = azimuth_between(s.tangent, eye.aside, to_light);
+FUNCTION Vec3 scatter_fibre(Fibre s, FibreViewTerms view_terms, Vec3 to_light, bool marschner) {
+  Real sine_light = clamp(-dot(s.tangent, to_light), -1.0f, 1.0f), azimuth = azimuth_between(s.tangent, view_terms.aside, to_light);
   if (marschner) {
-    Real cos_difference = cos_half_difference(sine_light, eye.sine);
-    Vec4 along = marschner_lobes(sine_light, eye.sine, cos_difference);
-    return 3.14159265f * sine_to(sine_light) * azimuthal_light(along, azimuth, cos_difference, eye.absorption);
+    Real cos_difference = cos_half_difference(sine_light, view_terms.sine);
+    Vec4 along = marschner_lobes(sine_light, view_terms.sine, cos_difference);
+    return 3.14159265f * sine_to(sine_light) * azimuthal_light(along, azimuth, cos_difference, view_terms.absorption);
   }
-  return 3.14159265f * azimuthal_light(longitudinal_lobes(sine_light, eye), azimuth, eye.cosine, eye.absorption);
+  return 3.14159265f * azimuthal_light(longitudinal_lobes(sine_light, view_terms), azimuth, view_terms.cosine, view_terms.absorption);
 }
 
 // Returns the light that leaves a bundle of fibres after multiple scattering. The fibre models scatter once; without
@@ -86,10 +86,10 @@ FUNCTION Vec3 scatter_again(Fibre s, Vec3 to_light) {
 // Returns single scattering `once` plus multiple scattering.
 FUNCTION Vec3 scatter_bundle(Fibre s, Vec3 to_light, Vec3 once) { return 0.6f * once + scatter_again(s, to_light); }
 
-// Returns the light scattered to the camera for light of radiance 1, without shadow, light_behind and ambient light.
-// Only fibre models read `eye`.
-FUNCTION Vec3 scatter(int model, Fibre s, FibreEye eye, Vec3 to_light) {
-  if (scatters_fibres(model)) return scatter_bundle(s, to_light, scatter_fibre(s, eye, to_light, model == model_marschner));
+// Returns the light scattered to the camera for light of radiance 1, without shadow, backlight_fade and ambient light.
+// Only fibre models read `view_terms`.
+FUNCTION Vec3 scatter(int model, Fibre s, FibreViewTerms view_terms, Vec3 to_light) {
+  if (scatters_fibres(model)) return scatter_bundle(s, to_light, scatter_fibre(s, view_terms, to_light, model == model_marschner));
   if (model == model_scheuermann) return scatter_scheuermann(s, to_light);
   if (model == model_kajiya_kay) return scatter_kajiya_kay(s, to_light);
   return scatter_kajiya(s, to_light);

@@ -10,7 +10,7 @@ struct Bare {
 // Skin for shading: the normals of its relief, and of the wet film that partly fills the relief.
 struct SkinSurface {
   Vec3 to_camera, normal, film, colour;
-  Real open;  // factor on light: 1, less in creases
+  Real visibility;  // factor on light: 1, less in creases
   Real dry_roughness, wet_roughness;
 };
 
@@ -81,20 +81,20 @@ FUNCTION Real skin_highlight(Vec3 normal, Vec3 to_light, Vec3 to_camera, Real f0
 FUNCTION SkinSurface skin_surface(Bare bare, Vec3 place, Vec3 normal, Vec3 to_camera, Real pixel) {
   Real size = max(bare.bump_size, 1e-4f);
   Real seen = smoothstep(3.0f, 8.0f, size / max(pixel, 1e-9f));  // small cells would sparkle; they widen highlights
-  Real whole_height = min(bare.bump_height / size, 4.0f), steep = seen * whole_height;
+  Real full_height = min(bare.bump_height / size, 4.0f), steep = seen * full_height;
   Leather relief;
   relief.slope = Vec3(0.0f);
   relief.creased = Real(1.0f);
   if (any_lane(steep > 0.0f)) relief = leather(place * (1.0f / size));
   Vec3 slope = relief.slope - dot(relief.slope, normal) * normal;
-  Real uneven = 1.0f - 0.7f * bare.wetness, lost = whole_height - steep;
+  Real uneven = 1.0f - 0.7f * bare.wetness, lost = full_height - steep;
   float film_roughness = 0.28f;  // of the wet film; lower values sparkle
   SkinSurface surface;
   surface.to_camera = to_camera;
   surface.normal = unit_or_zero(normal - steep * slope);
   surface.film = unit_or_zero(normal - uneven * steep * slope);
   surface.colour = bare.colour * (1.0f - 0.4f * bare.wetness);
-  surface.open = mix(1.0f, relief.creased, min(2.0f * steep, 0.6f));
+  surface.visibility = mix(1.0f, relief.creased, min(2.0f * steep, 0.6f));
   surface.dry_roughness = min(bare.roughness + lost, 1.0f);
   surface.wet_roughness = min(film_roughness + uneven * lost, 1.0f);
   return surface;

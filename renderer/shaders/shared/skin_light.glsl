@@ -2,7 +2,7 @@
 // light.
 
 // A visible position on the skin.
-struct SkinPlace {
+struct SkinPoint {
   Vec3 place, normal, to_camera;
   Vec3 colour;  // colour where no fur grows
   Vec3 under;   // colour under fur
@@ -16,7 +16,7 @@ struct SkinLooks {
   Bare bare;
 };
 
-FUNCTION SkinLooks skin_looks(SkinPlace skin) {
+FUNCTION SkinLooks skin_looks(SkinPoint skin) {
   SkinLooks looks;
   looks.furred = mix(skin.colour, skin.under, skin.grown);
   looks.bare = painted_bare(skin.colour, skin.bare, skin.wetness);
@@ -26,7 +26,7 @@ FUNCTION SkinLooks skin_looks(SkinPlace skin) {
 
 FUNCTION Vec3 skin_albedo(SkinLooks looks) { return mix(looks.furred, looks.bare.colour, looks.bare.share); }
 
-FUNCTION SentLight skin_light(SkinPlace skin, SkinLooks looks, bool unshadowed) {
+FUNCTION SentLight skin_light(SkinPoint skin, SkinLooks looks, bool unshadowed) {
   Bare bare = looks.bare;
   bool shows_bare = any_lane(bare.share > 0.0f);
   SkinSurface surface = skin_surface(bare, skin.place, skin.normal, skin.to_camera, skin.pixel);
@@ -42,7 +42,7 @@ FUNCTION SentLight skin_light(SkinPlace skin, SkinLooks looks, bool unshadowed) 
   for (Index i = 0; i < light_count; ++i) {
     Arriving light = light_at(i, skin.place);
     Vec3 through = Vec3(1.0f);
-    if (grid_there) through = let_through(crossed_at(i, cells), stopped);
+    if (grid_there) through = transmittance_of(crossed_at(i, cells), stopped);
     Vec3 sent = looks.furred * (frame.weights.y * max(dot(skin.normal, light.to_light), 0.0f));
     if (shows_bare) sent = mix(sent, light_on_skin(bare, surface, light.to_light), bare.share);
     sum.direct += light.radiance * sent * through;

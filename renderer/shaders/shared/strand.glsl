@@ -21,7 +21,7 @@ struct Fibre {
 };
 
 // View-dependent values that all lights share; only fibre models need them.
-struct FibreEye {
+struct FibreViewTerms {
   Real sine, cosine;  // of the inclination about the axis from tip to root
   Vec3 aside;         // direction to the camera, projected off the strand's axis
   Vec3 absorption;    // absorption coordinates of the three channels
@@ -29,7 +29,7 @@ struct FibreEye {
 
 // View-dependent values that shadows of all lights share.
 struct FibreView {
-  Real way, strands;  // path out of the fur to the camera (way_out), and the strands on it
+  Real path, strands;  // path out of the fur to the camera (exit_path_length), and the strands on it
   Real widths;        // height of the fur above, in strand widths
 };
 
@@ -42,8 +42,8 @@ struct Arriving {
 FUNCTION Real sine_power(Real d, Real n) {
   Real x = d * d;
   Real series = -x * (1.0f + x * (0.5f + x * (0.33333333f + x * (0.25f + x * (0.2f + x * 0.16666667f)))));
-  Real rest = max(1.0f - x, 1e-12f);
-  Real power = exp(0.5f * n * select(x < 0.08f, series, log(rest)));
+  Real complement = max(1.0f - x, 1e-12f);
+  Real power = exp(0.5f * n * select(x < 0.08f, series, log(complement)));
   return select(x >= 1.0f, select(n > 0.0f, 0.0f, 1.0f), power);
 }
 
@@ -63,11 +63,11 @@ FUNCTION Real scaled_bessel_i0(Real x) {
 }
 
 // Returns one lobe of Mp of d'Eon 2011. Sines are of inclinations about the axis from tip to root.
-FUNCTION Real longitudinal_lobe(Real sine_light, FibreEye eye, float tilt_sine, float tilt_cosine, float over_variance,
+FUNCTION Real longitudinal_lobe(Real sine_light, FibreViewTerms view_terms, float tilt_sine, float tilt_cosine, float over_variance,
                                 float normaliser) {
   Real cosine_light = sine_to(sine_light);
-  Real tilted_sine = eye.sine * tilt_cosine + eye.cosine * tilt_sine;
-  Real tilted_cosine = abs(eye.cosine * tilt_cosine - eye.sine * tilt_sine);
+  Real tilted_sine = view_terms.sine * tilt_cosine + view_terms.cosine * tilt_sine;
+  Real tilted_cosine = abs(view_terms.cosine * tilt_cosine - view_terms.sine * tilt_sine);
   Real apart = cosine_light - tilted_cosine, sum = sine_light + tilted_sine;
   Real fall = exp(-0.5f * (apart * apart + sum * sum) * over_variance) * normaliser;
   return fall * scaled_bessel_i0(cosine_light * tilted_cosine * over_variance);
@@ -88,8 +88,8 @@ FUNCTION Real inclination_of(Real sine) {
 // Returns cos theta_d, where theta_d is half the difference of two inclinations, from their sines: its square is (1 +
 // cos(2 theta_d)) / 2.
 FUNCTION Real cos_half_difference(Real sine_light, Real sine_view) {
-  Real whole = sine_to(sine_light) * sine_to(sine_view) + sine_light * sine_view;
-  return sqrt(max(0.5f + 0.5f * whole, 0.0f));
+  Real cos_full_difference = sine_to(sine_light) * sine_to(sine_view) + sine_light * sine_view;
+  return sqrt(max(0.5f + 0.5f * cos_full_difference, 0.0f));
 }
 
 // Returns one lobe of M of Marschner 2003 over cos^2 theta_d.
@@ -110,7 +110,7 @@ FUNCTION Real azimuth_between(Vec3 tangent, Vec3 aside, Vec3 to_light) {
 FUNCTION bool scatters_fibres(int model) { return model == model_energy_conserving || model == model_marschner; }
 
 // Returns B of GPU fur eq 1, which fades out light from behind; 1 for models that handle light from behind themselves.
-FUNCTION Real light_behind(int model, Real facing, float reach) {
+FUNCTION Real backlight_fade(int model, Real facing, float reach) {
   bool surface = model == model_lengyel || model == model_kajiya || model == model_kajiya_kay;
   if (!surface) return Real(1.0f);
   return select(facing < 0.0f, 1.0f - min(-facing, reach) / max(reach, 1e-20f), 1.0f);
@@ -118,17 +118,17 @@ FUNCTION Real light_behind(int model, Real facing, float reach) {
 
 // Returns the length of a ray's path out of the fur, over the height of fur above its start: longer at lower angles.
 // From a height h below the tips, over a body of radius r, that is 2 / (n.d + sqrt((n.d)^2 + 2 h / r)).
-FUNCTION Real way_out(Real height, Real facing) {
+FUNCTION Real exit_path_length(Real height, Real facing) {
   Real roundness = 0.2f * (1.0f - height) + 0.01f;  // 2 h / r, where fur is a tenth of the radius of what it grows on
   return 2.0f / (facing + sqrt(facing * facing + roundness));
 }
 
 // Returns the number of strands that a ray crosses on its way out, if one at 45 degrees to upright fur would cross
 // `above`. It is proportional to the sine of the ray's angle to the strands.
-FUNCTION Real strands_crossed(Real above, Real way, Vec3 tangent, Vec3 direction) {
+FUNCTION Real strands_crossed(Real above, Real path, Vec3 tangent, Vec3 direction) {
   float spread = 0.08f;  // spread in direction of neighbouring strands
   Real along = dot(tangent, direction);
-  return above * sqrt(1.0f - (1.0f - spread) * min(along * along, 1.0f)) * way;
+  return above * sqrt(1.0f - (1.0f - spread) * min(along * along, 1.0f)) * path;
 }
 
 // Returns the strands on the path to the light, less those that the view ray would also cross: the camera sees the
@@ -137,8 +137,8 @@ FUNCTION Real strands_crossed(Real above, Real way, Vec3 tangent, Vec3 direction
 // sqrt(N M) (1 - exp(-x)) / x of them, x = d / c; separation along the strands does not count. c would be 1/2 for any
 // position in the fur. Visible positions stand out of their surroundings: 1/6 gives furry balls the light of strands,
 // within .03, from the side and from above, lying and upright.
-FUNCTION Real strands_not_shared(Fibre fibre, FibreView view, Vec3 to_light, Real way, Real strands) {
-  Vec3 apart = fibre.to_camera * view.way - to_light * way;
+FUNCTION Real strands_not_shared(Fibre fibre, FibreView view, Vec3 to_light, Real path, Real strands) {
+  Vec3 apart = fibre.to_camera * view.path - to_light * path;
   apart = apart - dot(apart, fibre.tangent) * fibre.tangent;
   Real x = 6.0f * view.widths * length(apart);
   Real share = (1.0f + x * 0.16666667f) / (1.0f + x * (0.66666667f + x * 0.16666667f));  // (1 - exp(-x)) / x within .02

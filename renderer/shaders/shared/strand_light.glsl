@@ -6,7 +6,7 @@
 // than near_no_view wide.
 FUNCTION Real nearness(Vec3 place) {
   Real view = dot(place - Vec3(camera_position), Vec3(camera_forward)) * over_view;
-  return 1.0f - smoothstep(float(near_whole_view), float(near_no_view), view);
+  return 1.0f - smoothstep(float(near_full_view), float(near_no_view), view);
 }
 
 // Returns the strands that light crosses in near cells just before it reaches a fibre, less the mean of an entry, which
@@ -20,9 +20,9 @@ FUNCTION Real near_strands(Vec3 place, Vec3 tangent, Vec3 to_light) {
 }
 
 // Returns the strands to a light: single strands near a fibre, and beyond the near cells those of the grid.
-FUNCTION Real with_near(Index light, Fibre fibre, Vec3 to_light, Real near, Real crossed) {
-  float way = near_cell * float(near_cell_steps);
-  GridCells beyond = cells_off_skin(fibre.place + to_light * way, fibre.normal);
+FUNCTION Real combined_strands(Index light, Fibre fibre, Vec3 to_light, Real near, Real crossed) {
+  float path = near_cell * float(near_cell_steps);
+  GridCells beyond = cells_off_skin(fibre.place + to_light * path, fibre.normal);
   Real single = near_strands(fibre.place, fibre.tangent, to_light);
   return mix(crossed, max(single + crossed_at(light, beyond).strands, 0.0f), near);
 }
@@ -36,22 +36,22 @@ FUNCTION SentLight strand_light(Fibre fibre, Real thin, Vec3 ambient, bool unsha
       fibre.colour * ambient * ambient_share(fibre.height, fibre.above, stopped_by_strand(fibre.crossed, 0.6f));
   sum.direct = sum.unshadowed = Vec3(0.0f);
   FibreView view = view_of(fibre);
-  FibreEye eye;
-  if (scatters_fibres(shading_model)) eye = fibre_eye(fibre);
+  FibreViewTerms view_terms;
+  if (scatters_fibres(shading_model)) view_terms = fibre_view_terms(fibre);
   GridCells cells = cells_off_skin(fibre.place, fibre.normal);
   Real near = near_there ? nearness(fibre.place) : Real(0.0f);
   bool is_near = any_lane(near > 0.0f);
   for (Index i = 0; i < light_count; ++i) {
     Arriving light = light_at(i, fibre.place);
-    Real facing = dot(fibre.normal, light.to_light), way = way_out(fibre.height, facing);
+    Real facing = dot(fibre.normal, light.to_light), path = exit_path_length(fibre.height, facing);
     Crossing crossed = crossed_at(i, cells);
-    if (is_near) crossed.strands = with_near(i, fibre, light.to_light, near, crossed.strands);
-    Real known = strands_crossed(fibre.above, way, fibre.tangent, light.to_light);
+    if (is_near) crossed.strands = combined_strands(i, fibre, light.to_light, near, crossed.strands);
+    Real known = strands_crossed(fibre.above, path, fibre.tangent, light.to_light);
     Real between = mix(crossed.strands, min(crossed.strands, known), thin);
-    crossed.strands = strands_not_shared(fibre, view, light.to_light, way, between);
-    Vec3 scattered = scatter(shading_model, fibre, eye, light.to_light);
-    Vec3 sent = light.radiance * scattered * light_behind(shading_model, facing, frame.exponents.z);
-    sum.direct += sent * let_through(crossed, stopped);
+    crossed.strands = strands_not_shared(fibre, view, light.to_light, path, between);
+    Vec3 scattered = scatter(shading_model, fibre, view_terms, light.to_light);
+    Vec3 sent = light.radiance * scattered * backlight_fade(shading_model, facing, frame.exponents.z);
+    sum.direct += sent * transmittance_of(crossed, stopped);
     if (unshadowed) sum.unshadowed += sent;
   }
   return sum;

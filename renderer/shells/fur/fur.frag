@@ -1,4 +1,4 @@
 #version 450 core
 #include "fur_fragment.glsl"
 
-vec3 light_on(Fibre fibre, vec4 open) { return fibre_light(fibre, open); }
+vec3 light_on(Fibre fibre, vec4 hull) { return fibre_light(fibre, hull); }

@@ -17,7 +17,7 @@ in vec4 varied;
 #endif
 in vec3 fibre_tangent;
 #ifdef SHADOW_MAPS
-in vec4 open_place;
+in vec4 hull_position;
 #endif
 in vec3 tile_u;
 in vec3 base_uv;
@@ -37,7 +37,7 @@ float lightness_over(vec3 strand, vec3 mean) {
 }
 #endif
 
-vec3 light_on(Fibre fibre, vec4 open);
+vec3 light_on(Fibre fibre, vec4 hull);
 
 // Returns the premultiplied light of a slab.
 vec4 lit(Slab slab, vec3 normal) {
@@ -67,19 +67,19 @@ vec4 lit(Slab slab, vec3 normal) {
   colour = colour_wetted(colour);
 #endif
 #ifdef SHADOW_MAPS
-  vec4 open = open_place;
+  vec4 hull = hull_position;
 #else
-  vec4 open = vec4(place, 0.0);
+  vec4 hull = vec4(place, 0.0);
 #endif
   Fibre fibre = Fibre(place, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, colour_crossed(colour, over),
                       height, above, strand.a, shine);
-  vec3 light = light_on(fibre, open);
+  vec3 light = light_on(fibre, hull);
   return vec4(light * slab.opacity, slab.opacity);
 }
 
 void main() {
-  look_around();
-  if (no_room()) discard;
+  compute_derivatives();
+  if (lists_full()) discard;
   vec3 normal = normalize(fibre_normal);
 #ifdef TUFTS
   shift_to_strand(normal, tile_u);

@@ -85,7 +85,7 @@ void FurPass::draw_dense(const Gl& gl, const FurDrawing& drawing) {
   solid.use();
   solid.set("push", solid_push);
   for (int shell = 0; shell < solid_shells; ++shell)
-    ShellDrawing{solid_shells, 0, 1}.draw(gl, solid, shell, drawing.lists.shown);
+    ShellDrawing{solid_shells, 0, 1}.draw(gl, solid, shell, drawing.lists.visible);
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -34,7 +34,7 @@ out float slab_middle, slab_thickness;  // of the shell's slab, relative to the 
 
 out vec3 place;
 #ifdef SHADOW_MAPS
-out vec4 open_place;      // as in skin.vert, but at the shell's height if that is above the hull
+out vec4 hull_position;      // as in skin.vert, but at the shell's height if that is above the hull
 #endif
 #ifdef PATTERN
 out vec3 root;           // where the strand leaves the skin: patterns are anchored there
@@ -87,7 +87,7 @@ float place_vertex() {
   vec3 curve = lean_point(root_curve, inclination, frame.counts.w, s);
   place = position + fur_length * (curve.x * lean + curve.y * normal);
 #ifdef SHADOW_MAPS
-  open_place = vec4(position + hull_offset(groom, normal, tangent, root_curve, frame.counts.w, s), hull_height * groom.z);
+  hull_position = vec4(position + hull_offset(groom, normal, tangent, root_curve, frame.counts.w, s), hull_height * groom.z);
 #endif
   fibre_normal = shading_normal;
   fibre_tangent = lean * sin(curve.z) + normal * cos(curve.z);

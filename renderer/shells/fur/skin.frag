@@ -14,7 +14,7 @@
 
 in vec3 place;
 #ifdef SHADOW_MAPS
-in vec4 open_place;
+in vec4 hull_position;
 #endif
 in vec3 skin_normal;
 in vec3 fur_offset;
@@ -68,10 +68,10 @@ void main() {
     Arriving light = light_at(i, place);
     float facing = dot(normal, light.to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
-    float to_skin = covered * strands_crossed(above, way_out(0.0, facing), normal, light.to_light);
+    float to_skin = covered * strands_crossed(above, exit_path_length(0.0, facing), normal, light.to_light);
 #ifdef SHADOW_MAPS
-    to_skin = shell_depth(int(i), place, open_place, 0.0, facing, to_skin);
-    light.radiance *= cast_light(int(i), place, open_place, normal);
+    to_skin = shell_depth(int(i), place, hull_position, 0.0, facing, to_skin);
+    light.radiance *= cast_visibility(int(i), place, hull_position, normal);
 #endif
     sum += light.radiance * colour * lit * transmittance(to_skin, crossed);
   }
@@ -87,11 +87,11 @@ void main() {
 #endif
   if (region.share > 0.0) {
 #ifdef SHADOW_MAPS
-    vec4 open = open_place;
+    vec4 hull = hull_position;
 #else
-    vec4 open = vec4(place, 0.0);
+    vec4 hull = vec4(place, 0.0);
 #endif
-    sum = mix(sum, bare_light(region, place, open, normal, pixel), region.share);
+    sum = mix(sum, bare_light(region, place, hull, normal, pixel), region.share);
   }
 #endif
   result = known(vec4(sum, 1.0));

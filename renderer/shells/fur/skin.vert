@@ -23,7 +23,7 @@ out vec4 varied;
 layout(location = 2) in vec3 tangent;
 out vec3 fur_offset;  // from the root to the hull of the fur
 #ifdef SHADOW_MAPS
-out vec4 open_place;  // xyz: hull position, where light that passes the rest of the body reaches the fur; w: height of the hull
+out vec4 hull_position;  // xyz: hull position, where light that passes the rest of the body reaches the fur; w: height of the hull
 #endif
 
 void main() {
@@ -33,7 +33,7 @@ void main() {
   place += fur_offset;
 #endif
 #ifdef SHADOW_MAPS
-  open_place = vec4(position + fur_offset, hull_height * groom.z);
+  hull_position = vec4(position + fur_offset, hull_height * groom.z);
 #endif
   skin_normal = shading_normal;
   base_uv = image_uv;

@@ -10,14 +10,14 @@ in vec3 tile_u;
 
 const int steps = 2;  // texture samples inside each shell's slab
 
-layout(location = 0) out float kept;
+layout(location = 0) out float transmitted;
 
 // The transmittance of one shell along the ray from the light; blending multiplies those of all shells.
 void main() {
-  look_around();
+  compute_derivatives();
   if (dot(fibre_normal, frame.viewpoint.xyz - place) <= 0.0) discard;
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif
-  kept = 1.0 - march(steps, 0.0, density_share, shell_height(), shell_thickness()).opacity;
+  transmitted = 1.0 - march(steps, 0.0, density_share, shell_height(), shell_thickness()).opacity;
 }

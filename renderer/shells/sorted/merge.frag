@@ -10,7 +10,7 @@ void main() {
   if (first == 0u || (first & in_order) != 0u) return;
 
   uint head = 0u, last = 0u;               // first and last fragment of the list that this round writes
-  uint a = first, b = 0u, rest = 0u;       // the next fragments of the two runs, and of what follows them
+  uint a = first, b = 0u, tail = 0u;       // the next fragments of the two runs, and of what follows them
   uvec2 at_a = links[a - 1u], at_b = uvec2(0u);
   uint scan = a;                           // searches for the end of the first run
   uvec2 at_scan = at_a;
@@ -28,7 +28,7 @@ void main() {
         lists.firsts[pixel] = first | in_order;
         return;
       }
-      b = at_scan.y, at_b = after, rest = 0u;
+      b = at_scan.y, at_b = after, tail = 0u;
       links[scan - 1u].y = 0u;
       if (scan == a) at_a.y = 0u;
       merging = true;
@@ -46,12 +46,12 @@ void main() {
       b = at_b.y;
       if (b != 0u) {
         at_b = links[b - 1u];
-        if (at_b.x > depth) rest = b, b = 0u;  // the second run ends
+        if (at_b.x > depth) tail = b, b = 0u;  // the second run ends
       }
     }
     if (a != 0u || b != 0u) continue;
-    if (rest == 0u) break;
-    a = scan = rest;
+    if (tail == 0u) break;
+    a = scan = tail;
     at_a = at_scan = links[a - 1u];
     merging = false;
   }

@@ -23,15 +23,15 @@ std::vector<Area> halves(const Area& area) {
 }
 
 std::vector<Area> cut(const Area& area, double max) {
-  std::vector<Area> done, open{area};
-  while (!open.empty()) {
-    const Area next = open.back();
-    open.pop_back();
+  std::vector<Area> done, pending{area};
+  while (!pending.empty()) {
+    const Area next = pending.back();
+    pending.pop_back();
     if (next.pixels() <= max || next.pixels() < 2) {
       done.push_back(next);
       continue;
     }
-    for (const Area& half : halves(next)) open.push_back(half);
+    for (const Area& half : halves(next)) pending.push_back(half);
   }
   return done;
 }
@@ -172,7 +172,7 @@ Result<std::uint32_t> SortedPass::draw_area(const Gl& gl, const FragmentLists& l
   if (fitted && status.ok()) {
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_whole(gl, *compose_);
+    draw_fullscreen(gl, *compose_);
     gl.Disable(GL_BLEND);
   }
   gl.Enable(GL_DEPTH_TEST);
@@ -184,7 +184,7 @@ Result<std::uint32_t> SortedPass::draw_area(const Gl& gl, const FragmentLists& l
 Status SortedPass::sort(const Gl& gl, const FragmentLists& lists) const {
   for (int round = 0; round < max_rounds; ++round) {
     lists.clear_unsorted(gl);
-    draw_whole(gl, *merge_);
+    draw_fullscreen(gl, *merge_);
     if (const Status answer = wait_for(gl); !answer.ok()) return answer;
     const FragmentLists::Header header = lists.header(gl);
     if (header.too_long) return too_large("a pixel has too many fragments to sort");
@@ -193,8 +193,8 @@ Status SortedPass::sort(const Gl& gl, const FragmentLists& lists) const {
   return wrong();
 }
 
-void SortedPass::draw_whole(const Gl& gl, const Program& program) const {
-  gl.BindVertexArray(nothing_.id());
+void SortedPass::draw_fullscreen(const Gl& gl, const Program& program) const {
+  gl.BindVertexArray(empty_vertex_array_.id());
   program.use();
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -68,7 +68,7 @@ class SortedPass {
   /// that wait_for allows. More would save little: another area only costs drawing the triangles again.
   static constexpr std::size_t default_bytes = std::size_t{64} << 20;
 
-  SortedPass(const Gl& gl, std::size_t bytes) : nothing_(gl), bytes_(bytes) {}
+  SortedPass(const Gl& gl, std::size_t bytes) : empty_vertex_array_(gl), bytes_(bytes) {}
 
   /// Returns why programs could not be built; "" if they were, or are not needed yet.
   std::string failure() const { return failure_; }
@@ -87,11 +87,11 @@ class SortedPass {
   Result<std::uint32_t> draw_area(const Gl& gl, const FragmentLists& lists, const RenderTarget& target,
                                   const std::function<void()>& draw_fragments) const;
   Status sort(const Gl& gl, const FragmentLists& lists) const;
-  void draw_whole(const Gl& gl, const Program& program) const;
+  void draw_fullscreen(const Gl& gl, const Program& program) const;
 
   std::optional<Program> merge_, compose_;  // made when first used
   std::optional<FragmentLists> lists_;      // made when first used, then reused: new memory costs a software GL 50 ms
-  VertexArray nothing_;                     // without attributes, for draw_whole
+  VertexArray empty_vertex_array_;          // without attributes, for draw_fullscreen
   std::size_t bytes_;
   std::string failure_;
 };

@@ -62,16 +62,16 @@ void HttpTransport::stop_serving() {
 }
 
 bool HttpTransport::serve_one(Connection& connection, std::chrono::steady_clock::time_point begin) {
-  bool stays = false;
+  bool keep_alive = false;
   const Status served = caught([&] {
     Exchange exchange(connection, begin);
     // Catches what handlers throw while their answer is being sent; answer_failures answers what they throw before.
-    const Status answered = caught([&] { return stays = answer_one(connection, exchange), Status{}; });
+    const Status answered = caught([&] { return keep_alive = answer_one(connection, exchange), Status{}; });
     if (!answered.ok()) exchange.problem = answered.message;
     hooks_.ended(exchange);
     return answered;
   });
-  return stays && served.ok();
+  return keep_alive && served.ok();
 }
 
 bool HttpTransport::answer_one(Connection& connection, Exchange& exchange) {
@@ -79,13 +79,13 @@ bool HttpTransport::answer_one(Connection& connection, Exchange& exchange) {
   exchange.problem = "The request is not valid HTTP.";  // until its head is parsed
   const bool last = static_cast<std::size_t>(++connection.requests) >= keep_alive_max_count_;
   bool client_ends = false;
-  const bool stays = process_request(stream, last, client_ends, [&](httplib::Request& request) {
+  const bool keep_alive = process_request(stream, last, client_ends, [&](httplib::Request& request) {
     exchange.problem.clear();
     request.progress = ExchangeCarrier{&exchange};
     hooks_.begun(request, exchange);
   });
   if (stream.broken() && exchange.problem.empty()) exchange.problem = "The client left before the answer ended.";
-  return stays && !last && !client_ends && !stream.broken();
+  return keep_alive && !last && !client_ends && !stream.broken();
 }
 
 }  // namespace pelage

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int check_milliseconds = 100;         // how often timeouts are checked
 constexpr std::size_t block_bytes = 16 * 1024;  // received by one call of recv()
-constexpr int no_room_microseconds = 10'000;    // pause when the system has no free socket
+constexpr int no_socket_microseconds = 10'000;  // pause when the system has no free socket
 
 int or_throw(int descriptor) {
   if (descriptor < 0) throw std::system_error(errno, std::generic_category());
@@ -91,12 +91,12 @@ void Reception::handle_events(int wait_milliseconds) {
     const int socket = events[static_cast<std::size_t>(k)].data.fd;
     if (eventfd_t times = 0; socket == wake_) eventfd_read(wake_, &times);
     if (socket == listening_) accept_all();
-    if (entries_.contains(socket)) or_drop(socket, &Reception::receive);
+    if (entries_.contains(socket)) run_or_drop(socket, &Reception::receive);
   }
 }
 
 /// Runs an action on a connection. If it runs out of memory, only that connection is closed.
-void Reception::or_drop(int socket, void (Reception::*action)(Entries::iterator)) {
+void Reception::run_or_drop(int socket, void (Reception::*action)(Entries::iterator)) {
   try {
     (this->*action)(entries_.find(socket));
   } catch (const std::bad_alloc&) {
@@ -117,25 +117,27 @@ bool Reception::accept_one() {
   if (socket < 0) {
     if (client_left_early(errno)) return true;
     if (machine_is_full(errno)) {
-      if (!make_room()) usleep(no_room_microseconds);
+      if (!close_longest_idle()) usleep(no_socket_microseconds);
       return false;  // epoll reports a waiting client again
     }
     failed_ = errno != EAGAIN && errno != EWOULDBLOCK;
     return false;
   }
+  std::unique_ptr<Connection> connection;
   try {
-    auto connection = connection_of(socket, peer);
-    if (entries_.size() >= limits_.connections && !make_room()) return true;
+    connection = connection_of(socket, peer);
+    if (entries_.size() >= limits_.connections && !close_longest_idle()) return true;
     entries_[socket] = {std::move(connection), State::waiting, now_};
     watch(socket);
   } catch (const std::bad_alloc&) {  // the client is not served
+    if (!connection) close(socket);
   }
   return true;
 }
 
 /// Closes the connection that has been idle longest, preferably one that has sent no part of a request. Returns false
 /// if all are being served.
-bool Reception::make_room() {
+bool Reception::close_longest_idle() {
   const auto rank = [](const Entry& entry) {
     return std::make_pair(entry.state == State::waiting && !entry.connection->unread().empty(), entry.since);
   };
@@ -150,32 +152,32 @@ bool Reception::make_room() {
 }
 
 void Reception::receive(Entries::iterator entry) {
-  auto& [socket, held] = *entry;
-  if (held.state == State::served) return;
+  auto& [socket, client] = *entry;
+  if (client.state == State::served) return;
   std::array<char, block_bytes> block;
   const ssize_t size = recv(socket, block.data(), block.size(), MSG_DONTWAIT);
   if (size < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR)) return;
   if (size <= 0) return drop(entry);
-  if (held.state == State::closing) return;  // the bytes are dropped
-  if (held.connection->unread().empty()) held.since = now_;
-  held.connection->append(block.data(), static_cast<std::size_t>(size));
-  begin_if_whole(entry);
+  if (client.state == State::closing) return;  // the bytes are dropped
+  if (client.connection->unread().empty()) client.since = now_;
+  client.connection->append(block.data(), static_cast<std::size_t>(size));
+  dispatch_if_complete(entry);
 }
 
-void Reception::begin_if_whole(Entries::iterator entry) {
-  auto& [socket, held] = *entry;
-  const std::string_view unread = held.connection->unread();
-  const auto size = head_size(unread, held.searched);
-  held.searched = unread.size();
+void Reception::dispatch_if_complete(Entries::iterator entry) {
+  auto& [socket, client] = *entry;
+  const std::string_view unread = client.connection->unread();
+  const auto size = head_size(unread, client.searched);
+  client.searched = unread.size();
   if (size.value_or(unread.size()) > limits_.head_bytes) return refuse(entry, 431);
   if (!size) return;
   unwatch(socket);
-  held.state = State::served;
+  client.state = State::served;
   const bool urgent = calls_.urgent(request_line_of(unread));
-  const auto serve = [this, &connection = *held.connection, begin = now_] {
+  const auto serve = [this, &connection = *client.connection, begin = now_] {
     give_back(connection.socket(), calls_.serve(connection, begin));
   };
-  if (workers_->give(serve, urgent)) return;
+  if (workers_->enqueue(serve, urgent)) return;
   watch(socket);
   refuse(entry, 503);
 }
@@ -205,9 +207,9 @@ void Reception::watch(int socket) {
 
 void Reception::unwatch(int socket) { epoll_ctl(epoll_, EPOLL_CTL_DEL, socket, nullptr); }
 
-void Reception::give_back(int socket, bool stays) {
+void Reception::give_back(int socket, bool keep_alive) {
   const std::lock_guard lock(mutex_);
-  returned_.emplace_back(socket, stays);
+  returned_.emplace_back(socket, keep_alive);
   eventfd_write(wake_, 1);
 }
 
@@ -217,13 +219,13 @@ void Reception::take_back() {
     const std::lock_guard lock(mutex_);
     returned.swap(returned_);
   }
-  for (const auto& [socket, stays] : returned) {
-    Entry& held = entries_.at(socket);
-    held.state = State::waiting;
-    held.since = now_;
-    held.searched = 0;
+  for (const auto& [socket, keep_alive] : returned) {
+    Entry& client = entries_.at(socket);
+    client.state = State::waiting;
+    client.since = now_;
+    client.searched = 0;
     watch(socket);
-    or_drop(socket, stays && !stopping_ ? &Reception::begin_if_whole : &Reception::begin_closing);
+    run_or_drop(socket, keep_alive && !stopping_ ? &Reception::dispatch_if_complete : &Reception::begin_closing);
   }
 }
 
@@ -232,18 +234,18 @@ void Reception::check_timeouts() {
   for (auto next = entries_.begin(); next != entries_.end();) {
     const auto entry = next++;
     if (entry->second.state != State::served)
-      or_drop(entry->first, &Reception::check_timeout);
+      run_or_drop(entry->first, &Reception::check_timeout);
     else if (out_of_time)
       shutdown(entry->first, SHUT_RDWR);  // only the worker may use the connection
   }
 }
 
 void Reception::check_timeout(Entries::iterator entry) {
-  const Entry& held = entry->second;
-  const auto passed = now_ - held.since;
-  if (held.state == State::closing) {
+  const Entry& client = entry->second;
+  const auto passed = now_ - client.since;
+  if (client.state == State::closing) {
     if (passed > limits_.linger_timeout) drop(entry);
-  } else if (held.connection->unread().empty()) {
+  } else if (client.connection->unread().empty()) {
     if (passed > limits_.idle_timeout) drop(entry);
   } else if (passed > limits_.head_timeout) {
     refuse(entry, 408);

@@ -34,9 +34,8 @@ struct ReceptionLimits {
 class Reception {
  public:
   struct Calls {
-    /// Answers one request, whose head is complete, on a worker's thread. Returns false to end the connection. Must not
-    /// throw.
-    std::function<bool(Connection&, std::chrono::steady_clock::time_point head_was_whole)> serve;
+    /// Answers one request, whose head is complete, on a worker's thread. False ends the connection. Must not throw.
+    std::function<bool(Connection&, std::chrono::steady_clock::time_point head_complete)> serve;
     /// Returns the bytes of the answer to a request that reaches no worker: 408 (its head was too slow), 431 (its head
     /// is too large) or 503 (too many requests wait).
     std::function<std::string(const Connection&, int http_status)> refusal;
@@ -68,16 +67,16 @@ class Reception {
   void handle_events(int wait_milliseconds);
   void accept_all();
   bool accept_one();
-  bool make_room();
-  void or_drop(int socket, void (Reception::*action)(Entries::iterator));
+  bool close_longest_idle();
+  void run_or_drop(int socket, void (Reception::*action)(Entries::iterator));
   void receive(Entries::iterator entry);
-  void begin_if_whole(Entries::iterator entry);
+  void dispatch_if_complete(Entries::iterator entry);
   void refuse(Entries::iterator entry, int http_status);
   void begin_closing(Entries::iterator entry);
   void drop(Entries::iterator entry);
   void watch(int socket);
   void unwatch(int socket);
-  void give_back(int socket, bool stays);
+  void give_back(int socket, bool keep_alive);
   void take_back();
   void check_timeouts();
   void check_timeout(Entries::iterator entry);

@@ -13,13 +13,13 @@ namespace {
 
 using std::chrono::milliseconds;
 constexpr milliseconds still_time{5'000}, slow_time{30'000};
-constexpr std::size_t slow_bytes_per_millisecond = 8;
+constexpr std::size_t min_bytes_per_millisecond = 8;
 
 }  // namespace
 
 bool ConnectionStream::wait(short event) const {
   const auto begin = std::chrono::steady_clock::now();
-  const auto left = slow_time + milliseconds(moved_ / slow_bytes_per_millisecond) - waited_;
+  const auto left = slow_time + milliseconds(transferred_ / min_bytes_per_millisecond) - waited_;
   const auto time = std::clamp(std::chrono::ceil<milliseconds>(left), milliseconds(0), still_time);
   pollfd descriptor{connection_.socket(), event, 0};
   int ready = 0;
@@ -38,7 +38,7 @@ ssize_t ConnectionStream::read(char* to, std::size_t size) {
   if (const std::size_t taken = connection_.take(to, size); taken > 0) return static_cast<ssize_t>(taken);
   if (!wait(POLLIN)) return -1;
   const ssize_t received = recv(connection_.socket(), to, size, 0);
-  if (received > 0) moved_ += static_cast<std::size_t>(received);
+  if (received > 0) transferred_ += static_cast<std::size_t>(received);
   return received;
 }
 
@@ -48,7 +48,7 @@ ssize_t ConnectionStream::write(const char* from, std::size_t size) {
     const ssize_t sent = send(connection_.socket(), from + written, size - written, MSG_DONTWAIT | MSG_NOSIGNAL);
     if (sent > 0) {
       written += static_cast<std::size_t>(sent);
-      moved_ += static_cast<std::size_t>(sent);
+      transferred_ += static_cast<std::size_t>(sent);
       exchange_.bytes += static_cast<std::size_t>(sent);
     } else {
       const bool full = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR);

@@ -35,7 +35,7 @@ class ConnectionStream : public httplib::Stream {
 
   Connection& connection_;
   Exchange& exchange_;
-  std::size_t moved_ = 0;  // bytes read and written
+  std::size_t transferred_ = 0;  // bytes read and written
   mutable std::chrono::steady_clock::duration waited_{};
   bool broken_ = false;
 };

@@ -7,7 +7,7 @@ namespace pelage {
 Workers::Workers(int threads, std::size_t max_waiting) : max_waiting_(max_waiting) {
   threads_.reserve(static_cast<std::size_t>(threads) + 1);
   try {
-    for (int k = 0; k <= threads; ++k) threads_.emplace_back([this, kept = k == 0] { work(kept); });
+    for (int k = 0; k <= threads; ++k) threads_.emplace_back([this, reserved = k == 0] { work(reserved); });
   } catch (const std::system_error&) {
     if (threads_.size() >= 2) return;
     end();
@@ -17,35 +17,35 @@ Workers::Workers(int threads, std::size_t max_waiting) : max_waiting_(max_waitin
 
 Workers::~Workers() { end(); }
 
-bool Workers::give(Task task, bool urgent) {
+bool Workers::enqueue(Task task, bool urgent) {
   const std::lock_guard lock(mutex_);
   std::deque<Task>& queue = urgent ? urgent_ : common_;
   if (queue.size() >= max_waiting_) return false;
   queue.push_back(std::move(task));
-  call_last(idle_);
-  if (urgent) call_last(kept_idle_);
+  wake_last(idle_);
+  if (urgent) wake_last(reserved_idle_);
   return true;
 }
 
-void Workers::call_last(std::vector<Idle*>& idle) {
+void Workers::wake_last(std::vector<Idle*>& idle) {
   if (idle.empty()) return;
-  idle.back()->is_called = true;
-  idle.back()->called.notify_one();  // under the lock: `Idle` is destroyed when its thread wakes
+  idle.back()->is_woken = true;
+  idle.back()->woken.notify_one();  // under the lock: `Idle` is destroyed when its thread wakes
   idle.pop_back();
 }
 
-void Workers::work(bool kept) {
-  while (const Task task = next(kept)) task();
+void Workers::work(bool reserved) {
+  while (const Task task = next(reserved)) task();
 }
 
-Workers::Task Workers::next(bool kept) {
+Workers::Task Workers::next(bool reserved) {
   std::unique_lock lock(mutex_);
-  while (!has_work(kept)) {
+  while (!has_work(reserved)) {
     Idle own;
-    (kept ? kept_idle_ : idle_).push_back(&own);
-    own.called.wait(lock, [&] { return own.is_called; });
+    (reserved ? reserved_idle_ : idle_).push_back(&own);
+    own.woken.wait(lock, [&] { return own.is_woken; });
   }
-  std::deque<Task>& queue = urgent_.empty() && !kept ? common_ : urgent_;
+  std::deque<Task>& queue = urgent_.empty() && !reserved ? common_ : urgent_;
   if (queue.empty()) return {};
   Task task = std::move(queue.front());
   queue.pop_front();
@@ -56,8 +56,8 @@ void Workers::end() {
   {
     const std::lock_guard lock(mutex_);
     ending_ = true;
-    while (!idle_.empty()) call_last(idle_);
-    while (!kept_idle_.empty()) call_last(kept_idle_);
+    while (!idle_.empty()) wake_last(idle_);
+    while (!reserved_idle_.empty()) wake_last(reserved_idle_);
   }
   for (std::thread& thread : threads_) thread.join();
   threads_.clear();

@@ -25,27 +25,27 @@ class Workers {
   ~Workers();
 
   /// Adds a task to the queue. Returns false if `max_waiting` tasks of its kind wait already.
-  [[nodiscard]] bool give(Task task, bool urgent);
+  [[nodiscard]] bool enqueue(Task task, bool urgent);
 
  private:
   /// An idle thread.
   struct Idle {
-    std::condition_variable called;
-    bool is_called = false;
+    std::condition_variable woken;
+    bool is_woken = false;
   };
 
-  void work(bool kept);
-  /// Returns whether a thread has a task or should end. `kept` is true for the reserved thread.
-  bool has_work(bool kept) const { return ending_ || !urgent_.empty() || (!kept && !common_.empty()); }
+  void work(bool reserved);
+  /// Returns whether a thread has a task or should end. `reserved` is true for the reserved thread.
+  bool has_work(bool reserved) const { return ending_ || !urgent_.empty() || (!reserved && !common_.empty()); }
   /// Wakes the thread that became idle last. The caller holds the lock.
-  static void call_last(std::vector<Idle*>& idle);
+  static void wake_last(std::vector<Idle*>& idle);
   /// Waits for the next task and returns it; an empty one at the end.
-  Task next(bool kept);
+  Task next(bool reserved);
   void end();
 
   const std::size_t max_waiting_;
   std::mutex mutex_;
-  std::vector<Idle*> idle_, kept_idle_;  // common threads, and the reserved one
+  std::vector<Idle*> idle_, reserved_idle_;  // common threads, and the reserved one
   std::deque<Task> urgent_, common_;
   bool ending_ = false;
   std::vector<std::thread> threads_;

@@ -52,6 +52,7 @@ class Dial(ServedTest):
             costs.append(answer.json["seconds"])
         self.assertLess(costs[0], costs[1])
         self.assert_problem(self.scene.post("frames?dry_run=2", {}), 422, "/dry_run")
+        self.assert_problem(self.scene.post("frames?dry_run=1&after_pass=3", {}), 422, "/after_pass")
         knobs = {"raster": {"strands": 1000, "light_of": 1}, "scale": 1}
         long = {"width": 8000, "height": 8000, "quality": knobs, "max_seconds": 1}
         self.assert_problem(self.scene.post("frames", long), 422, "/max_seconds")

@@ -91,8 +91,9 @@ RC_GTEST_PROP(SubdivideProperties, AnyModelAndChoice, (std::uint64_t seed)) {
   RC_ASSERT(finer.ok());
   RC_ASSERT(std::abs(area_of(finer->mesh) - area_of(mesh)) <= 1e-6 * (1 + area_of(mesh)));
   std::vector<glm::dvec3> shares(finer->mesh.triangles.size(), glm::dvec3(0));
-  for (const Piece& piece : finer->patches.pieces) {
-    for (int k = 0; k < 3; ++k) shares[piece.triangle][k] += double{finer->patches.points[piece.points[k]].weight};
+  for (const PatchTriangle& patch_triangle : finer->patches.patch_triangles) {
+    for (int k = 0; k < 3; ++k)
+      shares[patch_triangle.triangle][k] += double{finer->patches.points[patch_triangle.points[k]].weight};
   }
   for (const glm::dvec3& share : shares) RC_ASSERT(glm::length(share - 1.0) < 1e-5);
   for (std::size_t v = 0; v < finer->mesh.positions.size(); ++v) {
@@ -111,7 +112,7 @@ RC_GTEST_PROP(RetargetProperties, CarriedCommandsRunOnTheOtherModel, (std::uint6
   const Command command = maker.command();
   const Result<Command> resolved = resolve(command, from);
   if (!resolved) return;
-  const Result<Command> carried = carried_command(*resolved, from, to);
+  const Result<Command> carried = transferred_command(*resolved, from, to);
   if (!carried) {
     RC_ASSERT(!carried.status().pointer.empty());
     return;

@@ -96,7 +96,7 @@ RC_GTEST_PROP(Symmetry, ImagesAreThoseOfTheSecondImplementation, (std::uint64_t 
   for (const Command& image : plain::images(command, symmetry)) {
     for (const glm::dvec3 place : places_of(image)) expected.push_back(place);
   }
-  for (const Command& image : images_of(command, own ? random_symmetry(random) : symmetry, surface)) {
+  for (const Command& image : symmetry_images(command, own ? random_symmetry(random) : symmetry, surface)) {
     for (const glm::dvec3 place : places_of(image)) found.push_back(place);
   }
   RC_ASSERT(expected.size() == found.size());
@@ -113,7 +113,7 @@ TEST(Symmetry, TouchesTheUnionOfTheStrokeAndItsImage) {
   comb.brush.radius = 0.08;
   Symmetry symmetry;
   symmetry.planes = {Plane{sphere.mesh().to_model(glm::dvec3(0)), {1, 0, 0}}};
-  const std::vector<Command> images = images_of(comb, symmetry, sphere);
+  const std::vector<Command> images = symmetry_images(comb, symmetry, sphere);
   ASSERT_EQ(images.size(), 2u);
   const FieldDelta first = evaluate(images[0], sphere, fields).delta,
                    second = evaluate(images[1], sphere, fields).delta;

@@ -41,7 +41,7 @@ RC_GTEST_PROP(Sway, IsFiniteAndInTheDisc, ()) {
   const glm::vec3 positions[] = {any_vector() / 2.0}, normals[] = {normal}, tangents[] = {tangent};
   const glm::vec2 direction[] = {inclination * glm::dvec2(std::cos(angle), std::sin(angle))};
   const float length[] = {static_cast<float>(any(0, 10))}, stiffness[] = {static_cast<float>(any(0, 4))};
-  const StillFur fur{positions, normals, tangents, direction, length, stiffness};
+  const RestFur fur{positions, normals, tangents, direction, length, stiffness};
   const double push = any(0, 1e12);
   const BodyMotion body{[&](std::uint32_t, double t) { return push * glm::dvec3(std::sin(9 * t), std::cos(t), 1); },
                         any(1e-3, 1)};

@@ -72,12 +72,12 @@ void check_patches(const Mesh& mesh, const PatchMap& map) {
     RC_ASSERT(std::abs(glm::length(point.axis) - 1) < 1e-4f);
   }
   std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));
-  for (const Piece& piece : map.pieces) {
-    RC_ASSERT(piece.triangle < mesh.triangles.size());
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
+    RC_ASSERT(patch_triangle.triangle < mesh.triangles.size());
     for (int k = 0; k < 3; ++k) {
-      const PatchPoint& point = map.points.at(piece.points[k]);
-      RC_ASSERT(point.vertex == mesh.triangles[piece.triangle][k] && point.patch == piece.patch);
-      sums[piece.triangle][k] += double{point.weight};
+      const PatchPoint& point = map.points.at(patch_triangle.points[k]);
+      RC_ASSERT(point.vertex == mesh.triangles[patch_triangle.triangle][k] && point.patch == patch_triangle.patch);
+      sums[patch_triangle.triangle][k] += double{point.weight};
     }
   }
   for (const glm::dvec3& sum : sums) {
@@ -146,8 +146,8 @@ bool same_bits(const PatchMap& a, const PatchMap& b) {
                       return p.vertex == q.vertex && p.patch == q.patch && p.uv == q.uv && p.axis == q.axis &&
                              p.weight == q.weight;
                     }) &&
-         std::equal(a.pieces.begin(), a.pieces.end(), b.pieces.begin(), b.pieces.end(),
-                    [](const Piece& p, const Piece& q) {
+         std::equal(a.patch_triangles.begin(), a.patch_triangles.end(), b.patch_triangles.begin(),
+                    b.patch_triangles.end(), [](const PatchTriangle& p, const PatchTriangle& q) {
                       return p.triangle == q.triangle && p.patch == q.patch && p.points == q.points;
                     });
 }
@@ -180,9 +180,9 @@ RC_GTEST_PROP(Patches, SameMeshSameBits, ()) {
 RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
   const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)));
   RC_PRE(mesh.ok());
-  const PatchMap hard = hard_pieces(lay_patches(*mesh));
-  RC_ASSERT(hard.pieces.size() == mesh->triangles.size());
-  for (std::size_t t = 0; t < hard.pieces.size(); ++t) RC_ASSERT(hard.pieces[t].triangle == t);
+  const PatchMap hard = with_hard_borders(lay_patches(*mesh));
+  RC_ASSERT(hard.patch_triangles.size() == mesh->triangles.size());
+  for (std::size_t t = 0; t < hard.patch_triangles.size(); ++t) RC_ASSERT(hard.patch_triangles[t].triangle == t);
   check_patches(*mesh, hard);
 }
 
@@ -191,9 +191,10 @@ RC_GTEST_PROP(Patches, FewPiecesAreFlipped, ()) {
   const Result<Mesh> mesh = prepare(sheet(whole(8, 24), between(0, 0.05)));
   RC_PRE(mesh.ok());
   const PatchMap map = lay_patches(*mesh);
-  const auto flipped = std::count_if(map.pieces.begin(), map.pieces.end(),
-                                     [&](const Piece& piece) { return stretch_of(*mesh, map, piece).flipped; });
-  RC_ASSERT(static_cast<double>(flipped) <= 0.02 * static_cast<double>(map.pieces.size()));
+  const auto flipped = std::count_if(
+      map.patch_triangles.begin(), map.patch_triangles.end(),
+      [&](const PatchTriangle& patch_triangle) { return stretch_of(*mesh, map, patch_triangle).flipped; });
+  RC_ASSERT(static_cast<double>(flipped) <= 0.02 * static_cast<double>(map.patch_triangles.size()));
 }
 
 RC_GTEST_PROP(Prepare, ScaleChangesNothingInside, ()) {

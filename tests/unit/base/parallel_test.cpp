@@ -46,7 +46,7 @@ TEST(ParallelDeathTest, SingleCoreRunsInline) {
 TEST(Parallel, RunsCoverTheRangeWithoutOverlap) {
   constexpr std::uint32_t count = 100'001;
   std::vector<int> visits(count, 0);
-  for_each_run_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
+  for_each_range_in_parallel(count, [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) ++visits[i];
   });
   EXPECT_EQ(visits, std::vector<int>(count, 1));

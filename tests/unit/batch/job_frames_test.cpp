@@ -207,12 +207,12 @@ TEST_F(JobFrames, OfATimeLapseGoFromTheFirstGroomToTheLast) {
 TEST(OutputFiles, AreWholeOrNotThere) {
   const auto folder = TemporaryFolder::make();
   const std::string path = folder->file("deep/er/frame.png");
-  ASSERT_TRUE(write_whole(path, "some bytes").ok());
+  ASSERT_TRUE(write_atomically(path, "some bytes").ok());
   EXPECT_EQ(*read_file(path), "some bytes");
   EXPECT_FALSE(is_drawn(path, "00"));
   std::filesystem::create_directory(folder->file("taken"));
   std::ofstream(folder->file("taken/file")) << "x";
-  const Status refused = write_whole(folder->file("taken"), "bytes");
+  const Status refused = write_atomically(folder->file("taken"), "bytes");
   EXPECT_FALSE(refused.ok());
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder->file("."))) {
@@ -232,11 +232,11 @@ TEST(OutputFiles, HaveNamesOfTheirOwnWhileTheyAreWritten) {
 
 TEST(OutputFiles, TryingAFolderLeavesNothing) {
   const auto folder = TemporaryFolder::make();
-  EXPECT_TRUE(try_folder_of(folder->file("deep/er/frame.png")).ok());
+  EXPECT_TRUE(check_folder_writable(folder->file("deep/er/frame.png")).ok());
   EXPECT_TRUE(std::filesystem::is_empty(folder->file(".")));
   std::ofstream(folder->file("taken")) << "x";
-  EXPECT_EQ(try_folder_of(folder->file("taken/frame.png")).code, Code::internal);
-  EXPECT_EQ(try_folder_of(folder->file("taken/deeper/frame.png")).code, Code::internal);
+  EXPECT_EQ(check_folder_writable(folder->file("taken/frame.png")).code, Code::internal);
+  EXPECT_EQ(check_folder_writable(folder->file("taken/deeper/frame.png")).code, Code::internal);
 }
 
 TEST(InputFiles, RefusePipesAndFolders) {
@@ -257,10 +257,10 @@ TEST(OutputFiles, AreKnownByTheirFingerprint) {
   const Image image{2, 2, std::vector<std::uint8_t>(16, 200)};
   const std::vector<ImageText> texts{{"pelage/fingerprint", print}};
   const std::string bytes = encode_png(image, false, texts);
-  ASSERT_TRUE(write_whole(path, bytes).ok());
+  ASSERT_TRUE(write_atomically(path, bytes).ok());
   EXPECT_TRUE(is_drawn(path, print));
   EXPECT_FALSE(is_drawn(path, std::string(32, 'b')));
-  ASSERT_TRUE(write_whole(path, bytes.substr(0, bytes.size() - 14)).ok());  // truncated
+  ASSERT_TRUE(write_atomically(path, bytes.substr(0, bytes.size() - 14)).ok());  // truncated
   EXPECT_FALSE(is_drawn(path, print));
   EXPECT_FALSE(is_drawn(folder->file("none.png"), print));
 }

@@ -63,7 +63,7 @@ TEST(CommandTree, HasCommandsOptionsAndArguments) {
   ASSERT_EQ(all[2]->options.size(), 2u);  // with --help
   EXPECT_EQ(all[2]->options[1].names, (std::vector<std::string>{"-o", "--output"}));
   EXPECT_TRUE(all[2]->options[1].takes_value);
-  EXPECT_EQ(all[2]->options[1].preset, "x.png");
+  EXPECT_EQ(all[2]->options[1].default_value, "x.png");
   EXPECT_FALSE(all[0]->options[1].takes_value);
 }
 

@@ -60,7 +60,7 @@ TEST(Coats, ADeltaLeadsThereAndBackWhicheverCoatIsSelected) {
   FieldSet after = before.of_coat(2);
   after.set(Field::length, 3, {0.1f, 0, 0, 0}), after.set(Field::bare, 4, {1, 0, 0, 0});
   const FieldDelta delta = difference(before, after);
-  ASSERT_NE(delta.part(Field::length, seen_sheet, 2), nullptr);
+  ASSERT_NE(delta.part(Field::length, visible_sheet, 2), nullptr);
   EXPECT_NE(delta.part(Field::bare), nullptr) << "what is shared belongs to no coat";
   FieldSet there = before;
   EXPECT_EQ(there.hash_after(delta), after.hash());
@@ -150,7 +150,7 @@ TEST(Coats, EditLayersStoreWhatChangesInEachCoat) {
   fields.apply(change_coats(with_mane(CoatRegion::all), one, fields));
   const FieldsHash before = fields.hash();
   FieldSet mane = fields.of_coat(1);
-  FieldDelta change{{{Field::length, {2}, {}, seen_sheet, 1}}};
+  FieldDelta change{{{Field::length, {2}, {}, visible_sheet, 1}}};
   change.parts[0].flips = {std::bit_cast<std::uint32_t>(mane.number(Field::length, 2)) ^
                            std::bit_cast<std::uint32_t>(0.5f)};
   fields.apply(stored_in_edit_layer(change, "swept", layers, mane));

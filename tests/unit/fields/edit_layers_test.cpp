@@ -126,8 +126,8 @@ TEST(EditLayers, MergingDownKeepsWhatIsSeen) {
   model.change(EditLayerAction::merge_down, "a");
   EXPECT_TRUE(model.layers.empty());
   EXPECT_NEAR(model.length(0), 0.07, 1e-8);
-  EXPECT_TRUE(model.fields.on_sheet(under_sheet, Field::length, 0).x !=
-              model.fields.on_sheet(under_sheet, Field::length, 0).x);
+  EXPECT_TRUE(model.fields.on_sheet(base_sheet, Field::length, 0).x !=
+              model.fields.on_sheet(base_sheet, Field::length, 0).x);
 }
 
 TEST(EditLayers, WhatIsSeenFollowsFromWhatIsStored) {

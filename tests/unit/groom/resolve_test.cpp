@@ -51,7 +51,7 @@ class ResolveToFurTest : public ResolveTest {
   }
   Result<Command> try_to_resolve(std::vector<StrokeSample> samples) {
     comb_.stroke->samples = std::move(samples);
-    const SeenFur fur{fields_, coats_, visits_, cancel_};
+    const VisibleFur fur{fields_, coats_, visits_, cancel_};
     return resolve(comb_, sphere_, &fur);
   }
   Comb resolved(std::vector<StrokeSample> samples) {

@@ -250,7 +250,7 @@ std::vector<Command> log_on(const Surface& surface) {
 std::vector<Command> carried_log(const std::vector<Command>& log, const Surface& from, const Surface& to) {
   std::vector<Command> carried;
   for (const Command& command : log) {
-    Result<Command> one = carried_command(command, from, to);
+    Result<Command> one = transferred_command(command, from, to);
     EXPECT_TRUE(one.ok()) << one.status().message;
     if (one) carried.push_back(std::move(*one));
   }
@@ -293,7 +293,7 @@ TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
   }
   comb.stroke->view = View{};
   comb.brush.units = RadiusUnits::pixels, comb.brush.radius = 30, comb.brush.falloff_shape = FalloffShape::screen;
-  const auto carried = carried_command(comb, from, to);
+  const auto carried = transferred_command(comb, from, to);
   ASSERT_TRUE(carried.ok());
   const Comb& result = std::get<Comb>(*carried);
   EXPECT_FALSE(result.stroke->view);
@@ -316,34 +316,34 @@ TEST(CarriedLog, SettingsGoAlong) {
   SetCurves curves;
   curves.groups.resize(1);
   curves.groups[0].curves = {{root, root * 1.5}};
-  const auto whiskers = carried_command(curves, from, to);
+  const auto whiskers = transferred_command(curves, from, to);
   near(std::get<SetCurves>(*whiskers).groups[0].curves[0][1], 4.0 * 1.5 * root);
   Eye eye;
   eye.position = root, eye.look_at = glm::dvec3(0, 0, 5);
-  const auto eyes = carried_command(SetEyes{{eye}}, from, to);
+  const auto eyes = transferred_command(SetEyes{{eye}}, from, to);
   near(std::get<SetEyes>(*eyes).eyes[0].position, 4.0 * root);
   near(*std::get<SetEyes>(*eyes).eyes[0].look_at, {0, 0, 20});
   EXPECT_EQ(std::get<SetEyes>(*eyes).eyes[0].radius, eye.radius) << "it is a share of the size";
   SkinRegion region;
   region.centre = root;
-  const auto skin = carried_command(SetSkin{{region}}, from, to);
+  const auto skin = transferred_command(SetSkin{{region}}, from, to);
   near(std::get<SetSkin>(*skin).regions[0].centre, 4.0 * root);
   Symmetry symmetry;
   symmetry.planes = {{{0.5, 0, 0}, {1, 0, 0}}};
-  const auto mirror = carried_command(SetSymmetry{symmetry}, from, to);
+  const auto mirror = transferred_command(SetSymmetry{symmetry}, from, to);
   near(std::get<SetSymmetry>(*mirror).symmetry.planes[0].point, {2, 0, 0});
   const auto winds =
-      carried_command(SetBlowers{{{"fan", Blow{.source = {0, 1, 0}, .fall = 2, .units = Units::world}}}}, from, to);
+      transferred_command(SetBlowers{{{"fan", Blow{.source = {0, 1, 0}, .fall = 2, .units = Units::world}}}}, from, to);
   near(std::get<SetBlowers>(*winds).blowers[0].blow.source, {0, 4, 0});
   EXPECT_DOUBLE_EQ(std::get<SetBlowers>(*winds).blowers[0].blow.fall, 8);
 }
 
 TEST(CarriedLog, WhatNamesVerticesOrRevisionsIsRefused) {
   const Surface from = make_surface(Builtin::sphere, 100), to = make_surface(Builtin::torus, 100);
-  EXPECT_EQ(carried_command(ChangeMask{.shape = MaskVertices{{1}}}, from, to).status().pointer, "/vertices");
-  EXPECT_EQ(carried_command(Erase{.flood = true, .revision = 3}, from, to).status().pointer, "/revision");
-  EXPECT_EQ(carried_command(Checkpoint{"a", 2}, from, to).status().pointer, "/revision");
-  EXPECT_TRUE(carried_command(Checkpoint{"a", {}}, from, to).ok());
+  EXPECT_EQ(transferred_command(ChangeMask{.shape = MaskVertices{{1}}}, from, to).status().pointer, "/vertices");
+  EXPECT_EQ(transferred_command(Erase{.flood = true, .revision = 3}, from, to).status().pointer, "/revision");
+  EXPECT_EQ(transferred_command(Checkpoint{"a", 2}, from, to).status().pointer, "/revision");
+  EXPECT_TRUE(transferred_command(Checkpoint{"a", {}}, from, to).ok());
 }
 
 TEST(CarriedLog, BoxesOfUnlikeShapeTurnDirections) {
@@ -351,10 +351,10 @@ TEST(CarriedLog, BoxesOfUnlikeShapeTurnDirections) {
   const Surface tall = moved(Builtin::sphere, 100, {1, 3, 1}, glm::dvec3(0));
   Comb comb;
   comb.flood = true, comb.direction = glm::dvec3(1, 1, 0);
-  const glm::dvec3 turned = *std::get<Comb>(*carried_command(comb, from, tall)).direction;
+  const glm::dvec3 turned = *std::get<Comb>(*transferred_command(comb, from, tall)).direction;
   EXPECT_NEAR(turned.y / turned.x, 3, 1e-5);
   const Trim trim{.flood = true, .shape = TrimPlane{{0, 0, 0}, {1, 1, 0}}};
-  const Command flat = *carried_command(trim, from, tall);
+  const Command flat = *transferred_command(trim, from, tall);
   const glm::dvec3 normal = std::get<TrimPlane>(std::get<Trim>(flat).shape).normal;
   EXPECT_NEAR(glm::dot(normal, turned * glm::dvec3(1, -1, 1)), 0, 1e-5) << "what lay in the plane lies in it";
 }

@@ -55,29 +55,29 @@ TEST_F(StandingFurTest, BaldVerticesAreReachedAtTheirRoots) {
 TEST_F(StandingFurTest, ARayHitsFurBeforeSkinAndBesideIt) {
   const StandingFur fur(sphere_, fields_, coat_);
   const double infinity = std::numeric_limits<double>::infinity();
-  const auto onto_skin = fur.hit_by({{0, 0.1, 2}, {0, 0, -1}, infinity}, 0);
+  const auto onto_skin = fur.first_hit({{0, 0.1, 2}, {0, 0, -1}, infinity}, 0);
   ASSERT_TRUE(onto_skin.has_value());
   EXPECT_GT(onto_skin->z, radius_);
-  const auto over_skin = fur.hit_by({{0, radius_ + 0.5 * length, 2}, {0, 0, -1}, infinity}, 0);
+  const auto over_skin = fur.first_hit({{0, radius_ + 0.5 * length, 2}, {0, 0, -1}, infinity}, 0);
   ASSERT_TRUE(over_skin.has_value());
   EXPECT_NEAR(over_skin->z, 0, 0.3);
   EXPECT_NEAR(over_skin->y, radius_ + 0.5 * length, 1e-12);
-  EXPECT_FALSE(fur.hit_by({{0, radius_ + 2 * length, 2}, {0, 0, -1}, infinity}, 0).has_value());
-  EXPECT_TRUE(fur.hit_by({{0, radius_ + 1.3 * length, 2}, {0, 0, -1}, infinity}, 0.4 * length).has_value());
+  EXPECT_FALSE(fur.first_hit({{0, radius_ + 2 * length, 2}, {0, 0, -1}, infinity}, 0).has_value());
+  EXPECT_TRUE(fur.first_hit({{0, radius_ + 1.3 * length, 2}, {0, 0, -1}, infinity}, 0.4 * length).has_value());
 }
 
 TEST_F(StandingFurTest, NothingIsHitBeyondTheRaysEndOrBehindIt) {
   const StandingFur fur(sphere_, fields_, coat_);
   const double y = radius_ + 0.5 * length;
-  EXPECT_FALSE(fur.hit_by({{0, y, 2}, {0, 0, -1}, 1}, 0).has_value());
-  EXPECT_FALSE(fur.hit_by({{0, y, 2}, {0, 0, 1}, 10}, 0).has_value());
+  EXPECT_FALSE(fur.first_hit({{0, y, 2}, {0, 0, -1}, 1}, 0).has_value());
+  EXPECT_FALSE(fur.first_hit({{0, y, 2}, {0, 0, 1}, 10}, 0).has_value());
 }
 
 TEST_F(StandingFurTest, BaldModelsHaveNothingToHit) {
   for (std::uint32_t v = 0; v < fields_.size(); ++v) fields_.set(Field::length, v, glm::vec4(0));
   const StandingFur fur(sphere_, fields_, coat_);
   EXPECT_EQ(fur.longest(), 0);
-  EXPECT_FALSE(fur.hit_by({{0, 0.1, 2}, {0, 0, -1}, 10}, 1).has_value());
+  EXPECT_FALSE(fur.first_hit({{0, 0.1, 2}, {0, 0, -1}, 10}, 1).has_value());
 }
 
 TEST_F(StandingFurTest, ABrushAtTheTipsReachesTheRootsOnlyWhereItReachesForFur) {

@@ -41,10 +41,10 @@ class Together : public ::testing::Test {
  protected:
   FieldSet after(const Command& command, const Symmetry& symmetry) const {
     std::vector<FieldDelta> changes;
-    for (const Command& image : images_of(command, symmetry, ball_))
+    for (const Command& image : symmetry_images(command, symmetry, ball_))
       changes.push_back(evaluate(image, ball_, fields_).delta);
     FieldSet done = fields_;
-    done.apply(together(changes, fields_));
+    done.apply(combine_symmetry_images(changes, fields_));
     return done;
   }
 

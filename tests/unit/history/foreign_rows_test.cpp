@@ -41,7 +41,7 @@ class ForeignRows : public ::testing::Test {
   /// Makes a journal from the rows, passed on in chunks of `piece` bytes.
   Result<std::unique_ptr<Journal>> journal_of(const std::string& rows, std::size_t piece) const {
     std::filesystem::remove(path("rows"));
-    return Journal::of_rows(path("rows"), [&](const Journal::TakeRows& take) {
+    return Journal::from_rows(path("rows"), [&](const Journal::TakeRows& take) {
       Status taken;
       for (std::size_t at = 0; at < rows.size() && taken.ok(); at += piece)
         taken = take({rows.data() + at, std::min(piece, rows.size() - at)});

@@ -149,12 +149,12 @@ TEST_F(HistoryTest, JoinedPartsAreOneStepAndOneWholeStroke) {
   EXPECT_EQ(history_.undo_steps(), 2u);
   const auto steps = history_.effective_log();
   ASSERT_EQ(steps.size(), 2u);
-  const Stroke& whole = *stroke_of(steps[1].front());
-  EXPECT_EQ(whole.id, "");
-  EXPECT_EQ(whole.part, 0u);
-  EXPECT_TRUE(whole.last);
-  ASSERT_EQ(whole.samples.size(), 6u);
-  EXPECT_EQ(std::get<PositionSample>(whole.samples[4].place).position.x, 4);
+  const Stroke& merged = *stroke_of(steps[1].front());
+  EXPECT_EQ(merged.id, "");
+  EXPECT_EQ(merged.part, 0u);
+  EXPECT_TRUE(merged.last);
+  ASSERT_EQ(merged.samples.size(), 6u);
+  EXPECT_EQ(std::get<PositionSample>(merged.samples[4].place).position.x, 4);
   EXPECT_EQ(*history_.last_step(), to(1)) << "from the length before the stroke to the one after it, and back";
   undo(1);
   EXPECT_EQ(length_, 1);
@@ -267,7 +267,7 @@ class UndoMemoryTest : public ::testing::Test {
     fields_.apply(entry.delta);
     journal_.push_back(entry.delta);
     history_.record(entry);
-    EXPECT_LE(history_.held_bytes(), budget);
+    EXPECT_LE(history_.step_bytes(), budget);
   }
   Result<FieldDelta> read(Revision from, Revision to) {
     ++reads_;
@@ -354,23 +354,23 @@ TEST_F(LiveStrokeTest, PartsJoin) {
   EXPECT_FALSE(send(comb_at(1, "k", 0, false)).joins);
   const LiveStroke::Plan second = send(comb_at(2, "k", 1, false));
   EXPECT_TRUE(second.joins);
-  EXPECT_EQ(stroke_of(second.whole)->samples.size(), 4u);
-  EXPECT_EQ(stroke_of(second.unlogged)->samples.size(), 2u);
-  EXPECT_EQ(stroke_of(send(comb_at(3, "k", 2, true)).whole)->samples.size(), 6u);
+  EXPECT_EQ(stroke_of(second.merged)->samples.size(), 4u);
+  EXPECT_EQ(stroke_of(second.to_log)->samples.size(), 2u);
+  EXPECT_EQ(stroke_of(send(comb_at(3, "k", 2, true)).merged)->samples.size(), 6u);
 }
 
 TEST_F(LiveStrokeTest, PartsThatMissAreLoggedWithTheNextOne) {
   EXPECT_FALSE(send(comb_at(1, "k", 0, false), false).joins);
   const LiveStroke::Plan second = send(comb_at(2, "k", 1, false));
   EXPECT_FALSE(second.joins);
-  EXPECT_EQ(stroke_of(second.unlogged)->samples.size(), 4u);
-  EXPECT_EQ(stroke_of(second.unlogged)->part, 0u);
+  EXPECT_EQ(stroke_of(second.to_log)->samples.size(), 4u);
+  EXPECT_EQ(stroke_of(second.to_log)->part, 0u);
   send(comb_at(3, "k", 2, false), false);
   const LiveStroke::Plan fourth = send(comb_at(4, "k", 3, true));
   EXPECT_TRUE(fourth.joins);
-  EXPECT_EQ(stroke_of(fourth.unlogged)->samples.size(), 4u);
-  EXPECT_EQ(stroke_of(fourth.unlogged)->part, 1u);
-  EXPECT_EQ(stroke_of(fourth.whole)->samples.size(), 8u);
+  EXPECT_EQ(stroke_of(fourth.to_log)->samples.size(), 4u);
+  EXPECT_EQ(stroke_of(fourth.to_log)->part, 1u);
+  EXPECT_EQ(stroke_of(fourth.merged)->samples.size(), 8u);
 }
 
 TEST_F(LiveStrokeTest, PartsComeInOrder) {

@@ -96,7 +96,7 @@ TEST_F(JournalDamageTest, ReportsALogThatIsShorterThanClientsWereTold) {
     const auto shorter = open(path);
     ASSERT_EQ(shorter->lost().size(), 2u) << path;
     EXPECT_EQ(shorter->lost()[0].scene, "a");
-    EXPECT_EQ(shorter->lost()[0].told, 5u);
+    EXPECT_EQ(shorter->lost()[0].acknowledged, 5u);
     EXPECT_EQ(shorter->lost()[0].present, 3u);
     EXPECT_EQ(shorter->lost()[1].scene, "b");
     EXPECT_FALSE(shorter->lost()[1].present);
@@ -147,7 +147,7 @@ TEST_F(JournalDamageTest, AFullDiskRefusesChangesAndNothingElse) {
   FailingDisk disk;
   const auto journal = open(file());
   ASSERT_TRUE(journal->add_scene(scene("a")).ok());
-  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_room);
+  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_free_bytes);
   FailingDisk::is_full = true;
   EXPECT_EQ(journal->append("a", entry(4)).code, Code::unavailable);
   EXPECT_EQ(journal->add_scene(scene("b")).code, Code::unavailable);
@@ -156,13 +156,13 @@ TEST_F(JournalDamageTest, AFullDiskRefusesChangesAndNothingElse) {
   FailingDisk::is_full = false;
   EXPECT_TRUE(journal->append("a", entry(4)).ok());
   EXPECT_TRUE(journal->remove_scene("a").ok());
-  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_room) << "taken again";
+  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_free_bytes) << "taken again";
 }
 
 TEST_F(JournalDamageTest, ASecondServerLeavesTheReserveOfTheFirst) {
   const auto journal = open(file());
   EXPECT_FALSE(Journal::open_guarded(file()).ok());
-  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_room);
+  EXPECT_EQ(fs::file_size(file() + "-reserve"), min_free_bytes);
 }
 
 TEST_F(JournalDamageTest, ARemovedSceneGivesItsRoomBack) {

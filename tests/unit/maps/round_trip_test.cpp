@@ -51,7 +51,7 @@ MapPicture file_of(const DrawnMap& map, int bits) {
       const bool there = from < map.layout.channels;
       const double max = bits == 8 ? 255 : bits == 16 ? 65535 : 1;
       const double number =
-          there ? file_number(map.layout.kinds[static_cast<std::size_t>(from)], map.image.at(i)[from], bits) : 0;
+          there ? encode_channel(map.layout.kinds[static_cast<std::size_t>(from)], map.image.at(i)[from], bits) : 0;
       picture.rgba.push_back(static_cast<float>(number / max));
     }
   }
@@ -93,10 +93,10 @@ TEST_F(MapRoundTrip, EveryFieldComesBack) {
     const Field field = field_at(f);
     const MapRequest request = asked(field, 512);
     EXPECT_LT(worst_change(surface_, fields_, request, 32), 1e-5) << shape_of(field).name;
-    const bool part = field == Field::direction, colour = shape_of(field).channels == 4;
+    const bool signed_unit = field == Field::direction, colour = shape_of(field).channels == 4;
     const double scale = field == Field::length ? 0.09 : 1;
     // A direction has two components. A colour's curve and the division by its coverage (at least .1) enlarge a step.
-    const double steps = part ? 2 * std::sqrt(2.0) : colour ? 24 : 1;
+    const double steps = signed_unit ? 2 * std::sqrt(2.0) : colour ? 24 : 1;
     EXPECT_LT(worst_change(surface_, fields_, request, 16), steps * scale / 65535) << shape_of(field).name;
     EXPECT_LT(worst_change(surface_, fields_, request, 8), steps * scale / 255) << shape_of(field).name;
   }
@@ -169,8 +169,8 @@ TEST_F(MapRoundTrip, UprightFurStaysExactlyUpright) {
   FieldSet upright(fields_.size());
   const MapRequest request = asked(Field::direction, 128);
   for (const int bits : {8, 16, 32}) EXPECT_EQ(worst_change(surface_, upright, request, bits), 0) << bits;
-  EXPECT_EQ(file_number(ChannelKind::part, 0, 8), 128);
-  EXPECT_EQ(file_number(ChannelKind::part, 0, 16), 32768);
+  EXPECT_EQ(encode_channel(ChannelKind::signed_unit, 0, 8), 128);
+  EXPECT_EQ(encode_channel(ChannelKind::signed_unit, 0, 16), 32768);
 }
 
 TEST_F(MapRoundTrip, MaskAndStrengthHold) {

@@ -13,7 +13,7 @@ struct Meadow {
   std::vector<glm::vec2> direction;
   std::vector<float> length, stiffness;
 
-  StillFur fur() const { return {positions, normals, tangents, direction, length, stiffness}; }
+  RestFur fur() const { return {positions, normals, tangents, direction, length, stiffness}; }
 };
 
 /// `side` x `side` vertices with normals up and tangents along x; fur .03 long that leans by .3 towards z.

@@ -86,8 +86,8 @@ TEST(Sway, FurDoesWhatTheOscillatorDoesInTheWindAtItsPlace) {
     };
     const glm::dvec2 offset(integrated(spring.oscillator, force(0), -12, 3),
                             integrated(spring.oscillator, force(2), -12, 3));  // the bitangent is -z
-    EXPECT_NEAR(moved[v].x, bent({0, 0}, offset).x, 1e-5);
-    EXPECT_NEAR(moved[v].y, bent({0, 0}, offset).y, 1e-5);
+    EXPECT_NEAR(moved[v].x, offset_direction({0, 0}, offset).x, 1e-5);
+    EXPECT_NEAR(moved[v].y, offset_direction({0, 0}, offset).y, 1e-5);
   }
 }
 
@@ -97,7 +97,7 @@ TEST(Sway, BodyGivesTheLeanOfAPendulumInASteadyPush) {
   const Wind calm{.frequency = 3, .damping = 0.7};
   const BodyMotion pushed{[](std::uint32_t, double) { return glm::dvec3(2, 5, 0); }};
   const double rate = spring_of(calm, 0.03, 1).oscillator.rate;
-  const glm::dvec2 expected = bent({0, 0}, {-2 / (rate * rate * 0.03f), 0});
+  const glm::dvec2 expected = offset_direction({0, 0}, {-2 / (rate * rate * 0.03f), 0});
   for (const glm::vec2 lean : swayed(meadow.fur(), calm, 0, &pushed)) {
     EXPECT_NEAR(lean.x, expected.x, 1e-3);
     EXPECT_EQ(lean.y, 0);

@@ -13,7 +13,7 @@ TEST(Sway, WithoutWindNothingMoves) {
   const Meadow meadow = make_meadow();
   EXPECT_EQ(swayed(meadow.fur(), Wind{}, 5), meadow.direction);
   EXPECT_TRUE(make_wind(Wind{}).waves.empty());
-  EXPECT_FALSE(blows(Wind{}));
+  EXPECT_FALSE(has_wind(Wind{}));
 }
 
 TEST(Sway, FurWithoutLengthStays) {
@@ -47,9 +47,9 @@ TEST(Sway, AVertexHasTheSameBitsAmongOthersAndAlone) {
   const Meadow meadow = make_meadow(40);
   const std::vector<glm::vec2> all = swayed(meadow.fur(), breeze(), 2);
   for (const std::size_t v : {std::size_t{0}, std::size_t{511}, std::size_t{512}, std::size_t{1599}}) {
-    const StillFur fur = meadow.fur();
-    const StillFur one{fur.positions.subspan(v, 1), fur.normals.subspan(v, 1), fur.tangents.subspan(v, 1),
-                       fur.direction.subspan(v, 1), fur.length.subspan(v, 1),  {}};
+    const RestFur fur = meadow.fur();
+    const RestFur one{fur.positions.subspan(v, 1), fur.normals.subspan(v, 1), fur.tangents.subspan(v, 1),
+                      fur.direction.subspan(v, 1), fur.length.subspan(v, 1),  {}};
     EXPECT_EQ(swayed(one, breeze(), 2)[0], all[v]);
   }
 }
@@ -84,18 +84,19 @@ TEST(Sway, BodyThatComesIntoTheWarmUpDoesNotPop) {
 
 TEST(Sway, BentKeepsRestAndDiscAndIsSmooth) {
   for (const glm::dvec2 still : {glm::dvec2(0), glm::dvec2(0.5, 0.2), glm::dvec2(0.6, 0.8)}) {
-    EXPECT_EQ(bent(still, {0, 0}), still);
+    EXPECT_EQ(offset_direction(still, {0, 0}), still);
     for (double angle = 0; angle < 6.28; angle += 0.37) {
       const glm::dvec2 way(std::cos(angle), std::sin(angle));
       for (double far = 0; far < 4; far += 0.01) {
-        EXPECT_LE(glm::length(bent(still, far * way)), 1 + 1e-12);
-        EXPECT_LT(glm::length(bent(still, (far + 0.01) * way) - bent(still, far * way)), 0.0101);
+        EXPECT_LE(glm::length(offset_direction(still, far * way)), 1 + 1e-12);
+        EXPECT_LT(glm::length(offset_direction(still, (far + 0.01) * way) - offset_direction(still, far * way)),
+                  0.0101);
       }
     }
   }
-  EXPECT_NEAR(glm::length(bent({0.1, 0}, {1e9, 1e9})), 1, 1e-9);
+  EXPECT_NEAR(glm::length(offset_direction({0.1, 0}, {1e9, 1e9})), 1, 1e-9);
   for (double far = 0; far < 2; far += 0.01) {  // the speed is continuous at the border
-    const auto length = [&](double at) { return glm::length(bent({0.3, 0}, {at, 0})); };
+    const auto length = [&](double at) { return glm::length(offset_direction({0.3, 0}, {at, 0})); };
     EXPECT_LT(std::abs(length(far + 0.02) - 2 * length(far + 0.01) + length(far)), 3e-4);
   }
 }

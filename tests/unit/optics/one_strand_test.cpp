@@ -60,7 +60,7 @@ glm::dvec3 expected(const Look& look, const FibreShading& shading, const LitStra
     const double along = glm::dot(geometry.tangent, geometry.to_light);
     light = 0.6 * light + 0.55 * look.diffuse * std::sqrt(1 - along * along) * glm::dvec3(strand.colour);
   }
-  return light * light_behind(look.shading, glm::dot(geometry.normal, geometry.to_light), look.back_attenuation);
+  return light * backlight_fade(look.shading, glm::dot(geometry.normal, geometry.to_light), look.back_attenuation);
 }
 
 struct Difference {

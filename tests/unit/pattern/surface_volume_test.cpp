@@ -14,10 +14,11 @@ const glm::mat3 quarter(glm::rotate(glm::dmat4(1), 0.7, glm::normalize(glm::dvec
 
 TEST(TurnOfTriangle, IsTheRotationThatMovedIt) {
   const auto turned = [](glm::vec3 p) { return quarter * p + glm::vec3(1, 2, 3); };
-  const glm::mat3 turn = turn_of_triangle(triangle, {turned(triangle[0]), turned(triangle[1]), turned(triangle[2])});
-  for (int k = 0; k < 3; ++k) EXPECT_LT(glm::distance(turn[k], quarter[k]), 1e-5f);
-  EXPECT_EQ(turn_of_triangle(triangle, {triangle[0], triangle[0], triangle[0]}), glm::mat3(1));
-  EXPECT_EQ(turn_of_triangle({glm::vec3(0), glm::vec3(0), glm::vec3(0)}, triangle), glm::mat3(1));
+  const glm::mat3 rotation =
+      rotation_of_triangle(triangle, {turned(triangle[0]), turned(triangle[1]), turned(triangle[2])});
+  for (int k = 0; k < 3; ++k) EXPECT_LT(glm::distance(rotation[k], quarter[k]), 1e-5f);
+  EXPECT_EQ(rotation_of_triangle(triangle, {triangle[0], triangle[0], triangle[0]}), glm::mat3(1));
+  EXPECT_EQ(rotation_of_triangle({glm::vec3(0), glm::vec3(0), glm::vec3(0)}, triangle), glm::mat3(1));
 }
 
 /// The value of the volume's cell that contains a point.
@@ -37,7 +38,7 @@ TEST(SurfaceVolumes, OfAMovedSurfaceUseItsRestPose) {
   const std::vector<glm::uvec3> triangles{{0, 1, 2}};
   const auto value = [&](const RestPosePoint& middle) {
     EXPECT_LT(glm::distance(middle.normal, normal), 1e-5f);
-    EXPECT_LT(glm::distance(middle.turn * glm::vec3(1, 0, 0), quarter[0]), 1e-5f);
+    EXPECT_LT(glm::distance(middle.rotation * glm::vec3(1, 0, 0), quarter[0]), 1e-5f);
     return glm::vec4(middle.place, 1);
   };
   const SurfaceVolume volume = make_surface_volume({now, normals, triangles, rest, rest_normals}, value);

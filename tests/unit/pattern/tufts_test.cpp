@@ -15,7 +15,7 @@ TEST(Tufts, PullsLieAlongTheSurfaceAndAreBounded) {
     float inside_sum = 0;
     for (int i = 0; i < 2000; ++i) {
       const glm::vec3 root(0.017f * static_cast<float>(i % 50), 0.3f, 0.013f * static_cast<float>(i / 50));
-      const TuftPlace tuft = tuft_at(tufts, root, up);
+      const TuftPull tuft = tuft_at(tufts, root, up);
       EXPECT_NEAR(tuft.to_middle.y, 0, 1e-6f);
       EXPECT_LE(glm::length(tuft.to_middle), longest_pull(tufts) * 1.0001f);
       EXPECT_GE(tuft.inside, 0);
@@ -33,7 +33,7 @@ TEST(Tufts, RootsGatherAboutOneMiddle) {
   for (int i = 0; i < 500; ++i) {
     const glm::vec3 root(0.031f * static_cast<float>(i % 25), 0, 0.029f * static_cast<float>(i / 25)),
         next = root + glm::vec3(0.002f, 0, 0);
-    const TuftPlace a = tuft_at(tufts, root, up), b = tuft_at(tufts, next, up);
+    const TuftPull a = tuft_at(tufts, root, up), b = tuft_at(tufts, next, up);
     ++pairs;
     if (glm::distance(root + a.to_middle, next + b.to_middle) < 1e-4f) ++together;
   }
@@ -43,10 +43,10 @@ TEST(Tufts, RootsGatherAboutOneMiddle) {
 
 TEST(Tufts, InsideFallsToNothingOnTheBorder) {
   const Tufts tufts{.gather = 1, .size = 0.2, .scales = 1};
-  TuftPlace last = tuft_at(tufts, {0, 0, 0}, up);
+  TuftPull last = tuft_at(tufts, {0, 0, 0}, up);
   int borders = 0;
   for (float x = 0.0005f; x < 2; x += 0.0005f) {
-    const TuftPlace next = tuft_at(tufts, {x, 0, 0}, up);
+    const TuftPull next = tuft_at(tufts, {x, 0, 0}, up);
     if (glm::distance(last.to_middle, next.to_middle) > 0.01f) {
       ++borders;
       EXPECT_LT(std::min(last.inside, next.inside), 0.02f) << x;

@@ -74,7 +74,7 @@ TEST(ViewFeatures, WhatIsTurnedAwayOrOutsideIsNotSeen) {
 TEST(ViewFeatures, PiecesLieOverEachOther) {
   const Patch patch;
   FurredSkin skin = patch.skin();
-  skin.pieces = 1.5;
+  skin.patch_triangles = 1.5;
   const ViewFeatures view = view_features(frame_of(256, 256), skin),
                      plain = view_features(frame_of(256, 256), patch.skin());
   EXPECT_NEAR(view.area / plain.area, 1.5, 1e-9);

@@ -21,7 +21,7 @@ Bins binned(const std::vector<PlacedStrands>& batches, const std::vector<float>&
   Bins bins;
   bins.begin(box, batches.size());
   for (std::size_t i = batches.size(); i-- > 0;) bins.find(i, batches[i], furthest, {0.25f, 2});
-  bins.make_room();
+  bins.allocate_entries();
   for (std::size_t i = batches.size(); i-- > 0;) bins.put(i);
   return bins;
 }

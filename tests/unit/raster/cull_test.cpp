@@ -62,10 +62,10 @@ TEST(Cull, StrandsCountByWhatTheyCover) {
   EXPECT_EQ(quality_of(knobs, 1).strands_a_pixel, 1.5);
   EXPECT_EQ(quality_of(knobs, 4).strands_a_pixel, 0.75);
   const RasterQuality quality = quality_of(knobs, 1);
-  EXPECT_DOUBLE_EQ(quality.kept_share(6, 0.1), 0.25);
-  EXPECT_DOUBLE_EQ(quality.kept_share(6, 1), 1 / 1.5);  // no strand is widened further
-  EXPECT_EQ(quality.kept_share(0.5, 0), 1);
-  EXPECT_EQ(quality.kept_share(0, 0), 1);
+  EXPECT_DOUBLE_EQ(quality.drawn_strand_share(6, 0.1), 0.25);
+  EXPECT_DOUBLE_EQ(quality.drawn_strand_share(6, 1), 1 / 1.5);  // no strand is widened further
+  EXPECT_EQ(quality.drawn_strand_share(0.5, 0), 1);
+  EXPECT_EQ(quality.drawn_strand_share(0, 0), 1);
 }
 
 // Otherwise a stroke would change strands that it does not touch and that are not drawn again.

@@ -140,7 +140,7 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
                                      within};
   DensityGrid grid;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
-  const GridPlace before = grid.place();
+  const GridLayout before = grid.place();
   struct Change {
     std::size_t first, count;
     float length;

@@ -23,7 +23,7 @@ struct LawnBelow {
 
   explicit LawnBelow(float view) {
     grow();
-    scene.width = scene.height = 100, scene.cells = GridPlace{.cell = cell};
+    scene.width = scene.height = 100, scene.cells = GridLayout{.cell = cell};
     scene.camera.forward = {0, 0, -1}, scene.camera.up = {0, 1, 0};
     look(view);
   }

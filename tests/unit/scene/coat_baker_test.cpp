@@ -39,8 +39,8 @@ TEST(CoatBaker, BakesOnceForAllWhoAsk) {
 
 TEST(CoatBaker, EndsWhenItsLastHandleGoes) {
   CoatBaker baker(1, no_bound, [] {});
-  CoatBaker::Handle first = baker.ask(coat_of(0.05)), second = first;
-  const CoatBaker::Handle other = baker.ask(coat_of(0.06));  // waits for the first one to end
+  CoatBaker::Handle first = baker.submit(coat_of(0.05)), second = first;
+  const CoatBaker::Handle other = baker.submit(coat_of(0.06));  // waits for the first one to end
   first.reset();
   std::this_thread::sleep_for(50ms);
   EXPECT_FALSE(second->settled() && !second->slices()) << "somebody still waits for it";
@@ -52,8 +52,8 @@ TEST(CoatBaker, EndsWhenItsLastHandleGoes) {
 
 TEST(CoatBaker, WaitsForRoomUnlessItIsAlone) {
   CoatBaker baker(2, 1, [] {});
-  CoatBaker::Handle first = baker.ask(coat_of(0.05));
-  const CoatBaker::Handle second = baker.ask(coat_of(0.06));
+  CoatBaker::Handle first = baker.submit(coat_of(0.05));
+  const CoatBaker::Handle second = baker.submit(coat_of(0.06));
   ASSERT_TRUE(soon([&] { return first->settled(); }));
   EXPECT_NE(first->slices(), nullptr);
   EXPECT_EQ(baker.bytes(), slices_bytes());
@@ -75,7 +75,7 @@ TEST(CoatBaker, EndsWhileItBakes) {
   CoatBaker::Handle held;
   {
     CoatBaker baker(1, no_bound, [] {});
-    held = baker.ask(coat_of(0.05));
+    held = baker.submit(coat_of(0.05));
     std::this_thread::sleep_for(20ms);
   }
   EXPECT_TRUE(held->settled() || !held->slices());

@@ -22,7 +22,7 @@ TEST_F(NewVersion, TheSameMeshHasTheSameBits) {
   execute(*scene, {Comb{.flood = true, .direction = glm::dvec3(1, 0, 0)}});
   execute(*scene, {ChangeMask{.shape = MaskSphere{.centre = {0, 0.5, 0}, .radius = 0.3}}});
   const SnapshotPtr now = scene->snapshot();
-  const CarriedGroom carried = carried_groom(*now, *same->model());
+  const TransferredGroom carried = transferred_groom(*now, *same->model());
   EXPECT_EQ(carried.fields.hash(), now->fields->hash());
   EXPECT_EQ(carried.settings.eyes, now->settings->eyes);
   EXPECT_EQ(carried.settings.coats[0].coat, now->settings->coats[0].coat);
@@ -37,12 +37,12 @@ TEST_F(NewVersion, AFinerMeshHasTheFurOfTheOneBefore) {
   execute(*scene, {Comb{.flood = true, .edit_layer = "swept", .direction = glm::dvec3(1, 0, 0)}});
   const SnapshotPtr now = scene->snapshot();
   const Surface &before = now->model->surface, &after = finer->model()->surface;
-  const CarriedGroom carried = carried_groom(*now, *finer->model());
+  const TransferredGroom carried = transferred_groom(*now, *finer->model());
   ASSERT_EQ(carried.report.vertices, after.mesh().positions.size());
   EXPECT_EQ(carried.settings.layers, now->settings->layers);
   const double longer = length_factor(before.mesh(), after.mesh(), carried.report.align);
   EXPECT_NEAR(carried.fields.number(Field::length, 0), 0.09 * longer, 1e-6);
-  EXPECT_FALSE(carried.fields.untouched(under_sheet, Field::direction)) << "the layer goes along";
+  EXPECT_FALSE(carried.fields.untouched(base_sheet, Field::direction)) << "the layer goes along";
   const NearestCorners nearest = nearest_corners(after.mesh(), before, carried.report.align);
   double mean = 0;
   for (std::uint32_t v = 0; v < nearest.corners.size(); ++v) {

@@ -69,23 +69,23 @@ TEST_F(PastScenesTest, TheLastOnesAreKept) {
   find(scene, 2);
   EXPECT_TRUE(second.expired()) << "it was asked for longest ago";
   EXPECT_EQ(find(scene, 0), first);
-  EXPECT_EQ(past_.kept(present(*scene)).size(), PastScenes::max_kept);
-  EXPECT_TRUE(past_.kept(present(*other)).empty());
+  EXPECT_EQ(past_.cached(present(*scene)).size(), PastScenes::max_cached);
+  EXPECT_TRUE(past_.cached(present(*other)).empty());
 }
 
 TEST_F(PastScenesTest, TheRendererHearsOfThoseThatNobodyHolds) {
   const auto scene = groomed();
   SnapshotPtr held = find(scene, 0);
   const std::uint64_t held_id = held->view().copy_id, other_id = find(scene, 1)->view().copy_id;
-  EXPECT_FALSE(past_.has_gone());
+  EXPECT_FALSE(past_.has_released());
   past_.forget(present(*scene) + 1000);
-  EXPECT_FALSE(past_.has_gone());
+  EXPECT_FALSE(past_.has_released());
   past_.forget(present(*scene));
-  EXPECT_TRUE(past_.has_gone());
-  EXPECT_EQ(past_.take_gone(), std::vector{other_id});
-  EXPECT_FALSE(past_.has_gone()) << "a frame still draws the other";
+  EXPECT_TRUE(past_.has_released());
+  EXPECT_EQ(past_.take_released(), std::vector{other_id});
+  EXPECT_FALSE(past_.has_released()) << "a frame still draws the other";
   held.reset();
-  EXPECT_EQ(past_.take_gone(), std::vector{held_id});
+  EXPECT_EQ(past_.take_released(), std::vector{held_id});
   EXPECT_NE(find(scene, 0)->view().copy_id, held_id) << "the renderer is to forget that one";
 }
 
@@ -96,7 +96,7 @@ TEST_F(PastScenesTest, OfARemovedSceneNoneAreKept) {
   ASSERT_TRUE(store_->remove(scene->id()).ok());
   past_.forget(id);
   EXPECT_FALSE(past_.find(*scene, 1).ok());
-  EXPECT_TRUE(past_.kept(id).empty());
+  EXPECT_TRUE(past_.cached(id).empty());
 }
 
 TEST_F(PastScenesTest, CanBeAskedForFromManyThreadsWhileTheSceneChanges) {
@@ -108,13 +108,13 @@ TEST_F(PastScenesTest, CanBeAskedForFromManyThreadsWhileTheSceneChanges) {
       for (int i = 0; i < 30; ++i) {
         EXPECT_EQ(find(scene, 0)->view().fields.hash(), first);
         find(scene, static_cast<Revision>((t + i) % 3));
-        past_.take_gone();
+        past_.take_released();
       }
     });
   }
   for (std::size_t i = 0; i < 20; ++i) execute(*scene, {comb_at(*scene, 7 * i)});
   for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(past_.kept(present(*scene)).size(), PastScenes::max_kept);
+  EXPECT_EQ(past_.cached(present(*scene)).size(), PastScenes::max_cached);
 }
 
 }  // namespace

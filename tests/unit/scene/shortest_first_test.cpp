@@ -54,9 +54,9 @@ TEST(ShortestFirst, LetsInWhatIsShortBesideARunningOne) {
   const std::uint64_t pause = queue.moment();
   queue.add("late", 1, 3);
   const auto may = [](const std::string& job) { return job != "barred"; };
-  EXPECT_EQ(queue.take_beside(100, pause, may)->job, "short");
-  EXPECT_FALSE(queue.take_beside(100, pause, may));  // so the running job goes on
-  EXPECT_EQ(queue.take_beside(100, queue.moment(), may)->job, "late");
+  EXPECT_EQ(queue.take_interleaved(100, pause, may)->job, "short");
+  EXPECT_FALSE(queue.take_interleaved(100, pause, may));  // so the running job goes on
+  EXPECT_EQ(queue.take_interleaved(100, queue.moment(), may)->job, "late");
   EXPECT_EQ(queue.size(), 2u);
 }
 

@@ -58,7 +58,7 @@ class SkinTextureTest : public StoreTest {
 
 TEST_F(SkinTextureTest, AModelWithoutTextureCoordinatesIsRefused) {
   const auto scene = make(Builtin::sphere, 300);
-  const auto answer = store_->lay_skin_texture(*scene, green);
+  const auto answer = store_->store_skin_texture(*scene, green);
   ASSERT_FALSE(answer.ok());
   EXPECT_EQ(answer.status().code, Code::invalid);
   EXPECT_EQ(answer.status().pointer, "/picture");
@@ -78,9 +78,9 @@ TEST_F(SkinTextureTest, AnUnknownPictureIsRefused) {
 
 TEST_F(SkinTextureTest, UndoRedoAndRevertBringPictures) {
   const auto scene = make_textured();
-  EXPECT_EQ(store_->lay_skin_texture(*scene, red_and_blue())->revision, 2u);
-  EXPECT_EQ(store_->lay_skin_texture(*scene, green)->revision, 3u);
-  EXPECT_EQ(store_->lay_skin_texture(*scene, green)->revision, 3u) << "the same picture changes nothing";
+  EXPECT_EQ(store_->store_skin_texture(*scene, red_and_blue())->revision, 2u);
+  EXPECT_EQ(store_->store_skin_texture(*scene, green)->revision, 3u);
+  EXPECT_EQ(store_->store_skin_texture(*scene, green)->revision, 3u) << "the same picture changes nothing";
   EXPECT_EQ(picture_of(*scene), green.rgba);
   move(*scene, Undo{1});
   EXPECT_EQ(picture_of(*scene), red_and_blue().rgba);
@@ -96,8 +96,8 @@ TEST_F(SkinTextureTest, UndoRedoAndRevertBringPictures) {
 
 TEST_F(SkinTextureTest, ARestartHasThePictureAndThoseThatUndoNeeds) {
   const std::string id = make_textured()->id();
-  store_->lay_skin_texture(**store_->find(id), red_and_blue()).value();
-  store_->lay_skin_texture(**store_->find(id), green).value();
+  store_->store_skin_texture(**store_->find(id), red_and_blue()).value();
+  store_->store_skin_texture(**store_->find(id), green).value();
   open();
   const auto again = *store_->find(id);
   EXPECT_EQ(picture_of(*again), green.rgba);
@@ -107,7 +107,7 @@ TEST_F(SkinTextureTest, ARestartHasThePictureAndThoseThatUndoNeeds) {
 
 TEST_F(SkinTextureTest, TheLogReplaysOnAnotherScene) {
   const auto scene = make_textured(), other = make_textured();
-  store_->lay_skin_texture(*scene, red_and_blue()).value();
+  store_->store_skin_texture(*scene, red_and_blue()).value();
   for (const std::vector<Command>& step : scene->effective_log()) execute(*other, step);
   EXPECT_EQ(picture_of(*other), red_and_blue().rgba);
   EXPECT_EQ(name_in(*other), name_in(*scene));
@@ -119,7 +119,7 @@ TEST_F(SkinTextureTest, NamesFollowThePixels) {
   turned.width = 1, turned.height = 2;
   std::vector<std::string> names;
   for (const RawImage& image : {red_and_blue(), green, turned}) {
-    store_->lay_skin_texture(*scene, image).value();
+    store_->store_skin_texture(*scene, image).value();
     names.push_back(name_in(*scene));
     EXPECT_EQ(names.back().size(), 32u);
   }
@@ -130,9 +130,9 @@ TEST_F(SkinTextureTest, NamesFollowThePixels) {
 TEST_F(SkinTextureTest, PicturesGoWithTheLastLogThatNamesThem) {
   const std::string a = make_textured()->id(), b = make_textured()->id();
   const auto find = [&](const std::string& id) { return *store_->find(id); };
-  store_->lay_skin_texture(*find(a), red_and_blue()).value();
-  store_->lay_skin_texture(*find(a), green).value();
-  store_->lay_skin_texture(*find(b), green).value();
+  store_->store_skin_texture(*find(a), red_and_blue()).value();
+  store_->store_skin_texture(*find(a), green).value();
+  store_->store_skin_texture(*find(b), green).value();
   EXPECT_EQ(pictures(), 2u);
   ASSERT_TRUE(store_->remove(a).ok());
   EXPECT_EQ(pictures(), 1u);
@@ -145,7 +145,7 @@ TEST_F(SkinTextureTest, PicturesGoWithTheLastLogThatNamesThem) {
 }
 
 TEST_F(SkinTextureTest, AMissingPictureIsReported) {
-  store_->lay_skin_texture(*make_textured(), green).value();
+  store_->store_skin_texture(*make_textured(), green).value();
   store_.reset();
   {
     auto database = Database::open((folder_ / "pelage.sqlite").string());
@@ -158,19 +158,19 @@ TEST_F(SkinTextureTest, AMissingPictureIsReported) {
 }
 
 std::size_t pieces_of(const Scene& scene) {
-  std::size_t pieces = 0;
-  pieces = scene.snapshot()->view().model.patches.pieces.size();
-  return pieces;
+  std::size_t patch_triangles = 0;
+  patch_triangles = scene.snapshot()->view().model.patches.patch_triangles.size();
+  return patch_triangles;
 }
 
 TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
   for (const FurPatches how : {FurPatches::overlapping, FurPatches::hard, FurPatches::own_uvs}) {
     const auto scene = make_textured(how);
-    const std::size_t triangles = scene->summary().report.triangles, pieces = pieces_of(*scene);
+    const std::size_t triangles = scene->summary().report.triangles, patch_triangles = pieces_of(*scene);
     if (how == FurPatches::overlapping)
-      EXPECT_GT(pieces, triangles);
+      EXPECT_GT(patch_triangles, triangles);
     else
-      EXPECT_EQ(pieces, triangles);
+      EXPECT_EQ(patch_triangles, triangles);
     std::uint32_t patches = 0;
     patches = scene->snapshot()->view().model.patches.patches;
     if (how == FurPatches::own_uvs)
@@ -179,7 +179,7 @@ TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
       EXPECT_GT(patches, 1u);
     const std::string id = scene->id();
     open();
-    EXPECT_EQ(pieces_of(**store_->find(id)), pieces) << "after a restart";
+    EXPECT_EQ(pieces_of(**store_->find(id)), patch_triangles) << "after a restart";
     EXPECT_EQ((*store_->find(id))->summary().fur_patches, json_names::word_of(json_names::fur_patches, how));
   }
 }

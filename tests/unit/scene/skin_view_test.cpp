@@ -37,13 +37,13 @@ TEST(SkinView, TurnsRegionsToTheirAxis) {
 
 TEST(SkinView, FacingIsACone) {
   SkinRegion region{.facing = SkinFacing{.direction = {0, 3, 0}, .angle_degrees = 60, .fade_degrees = 30}};
-  EXPECT_NEAR(made(region).cosine_whole, 0.5, 2e-6);
+  EXPECT_NEAR(made(region).cosine_full, 0.5, 2e-6);
   EXPECT_NEAR(made(region).cosine_none, 0, 1e-12);
   expect_near(made(region).facing, {0, 1, 0});
   region.facing->angle_degrees = 180;
-  EXPECT_LT(made(region).cosine_whole, -1);  // accepts a rounded normal too
+  EXPECT_LT(made(region).cosine_full, -1);  // accepts a rounded normal too
   region.facing.reset();
-  EXPECT_LT(made(region).cosine_whole, -1);
+  EXPECT_LT(made(region).cosine_full, -1);
 }
 
 }  // namespace

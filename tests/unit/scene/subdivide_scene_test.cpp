@@ -106,7 +106,7 @@ TEST_F(SubdivideSceneTest, APictureStaysOnTheModel) {
   const RawModel raw = testing::with_planar_uvs(make_builtin({Builtin::sphere, 300}));
   const StoredModel stored{.name = "obj", .raw = encode_raw_model(raw)};
   ASSERT_TRUE(scene->replace_model(*build_model(raw, stored, 1000), {}, stored).ok());
-  ASSERT_TRUE(store_->lay_skin_texture(*scene, testing::red_and_blue()).ok());
+  ASSERT_TRUE(store_->store_skin_texture(*scene, testing::red_and_blue()).ok());
   subdivide(*scene);
   const auto bytes = [](const Scene& of) {
     std::vector<std::uint8_t> found;

@@ -46,10 +46,10 @@ class FakeTracer : public PictureTracer {
     if (++report_.passes >= max_) report_.end = TraceEnd::passes;
     return {};
   }
-  std::unique_ptr<Aside> set_aside() override { return std::make_unique<FakeAside>(report_, max_); }
+  std::unique_ptr<SuspendedPicture> suspend() override { return std::make_unique<FakeSuspendedPicture>(report_, max_); }
   std::size_t bytes() const override { return 100; }
-  Status resume(std::unique_ptr<Aside> aside, const GoOn&) override {
-    const auto& fake = static_cast<const FakeAside&>(*aside);
+  Status resume(std::unique_ptr<SuspendedPicture> suspended, const GoOn&) override {
+    const auto& fake = static_cast<const FakeSuspendedPicture&>(*suspended);
     report_ = fake.report, max_ = fake.max;
     ++stage_.resumed;
     return {};
@@ -58,8 +58,8 @@ class FakeTracer : public PictureTracer {
   LinearPicture picture() const override { return {.report = report_}; }
 
  private:
-  struct FakeAside : Aside {
-    FakeAside(const TraceReport& so_far, int passes) : report(so_far), max(passes) {}
+  struct FakeSuspendedPicture : SuspendedPicture {
+    FakeSuspendedPicture(const TraceReport& so_far, int passes) : report(so_far), max(passes) {}
     TraceReport report;
     int max;
   };
@@ -77,7 +77,7 @@ class TraceQueueTest : public StoreTest {
   }
   static TraceQueue::Limits quick() {
     TraceQueue::Limits limits;
-    limits.settle_time = 0ms, limits.between = 0ms;
+    limits.settle_time = 0ms, limits.min_interval = 0ms;
     return limits;
   }
   void TearDown() override {
@@ -101,8 +101,8 @@ class TraceQueueTest : public StoreTest {
   /// Returns a better picture, or none after some seconds, like a request that waits.
   std::optional<Picture> wait_better(const Scene& scene, const FrameRequest& request, SeenPicture seen,
                                      double seconds = 20) {
-    scene.wait_newer(seen.revision, seconds, [&] { return queue_->better(scene, request, seen).has_value(); });
-    return scene.is_at(seen.revision) ? queue_->better(scene, request, seen) : std::nullopt;
+    scene.wait_newer(seen.revision, seconds, [&] { return queue_->better_picture(scene, request, seen).has_value(); });
+    return scene.is_at(seen.revision) ? queue_->better_picture(scene, request, seen) : std::nullopt;
   }
   static bool soon(const std::function<bool()>& holds) {
     for (int i = 0; i < 4000 && !holds(); ++i) std::this_thread::sleep_for(5ms);
@@ -130,14 +130,14 @@ TEST_F(TraceQueueTest, PassesOfAProgressivePictureRise) {
   ASSERT_TRUE(queue().improve(scene, request, 0).ok());
   SeenPicture seen;
   while (seen.passes < 40) {
-    const auto better = wait_better(*scene, request, seen);
-    ASSERT_TRUE(better && better->ok());
-    ASSERT_GT((**better)->report.passes, seen.passes);
-    seen.passes = (**better)->report.passes;
+    const auto better_picture = wait_better(*scene, request, seen);
+    ASSERT_TRUE(better_picture && better_picture->ok());
+    ASSERT_GT((**better_picture)->report.passes, seen.passes);
+    seen.passes = (**better_picture)->report.passes;
   }
   EXPECT_EQ(stage_.begun, 1);
   EXPECT_FALSE(wait_better(*scene, request, seen, 0.1)) << "nothing is better than the last";
-  EXPECT_TRUE(queue_->better(*scene, request, {0, 39})) << "the last stays";
+  EXPECT_TRUE(queue_->better_picture(*scene, request, {0, 39})) << "the last stays";
 }
 
 TEST_F(TraceQueueTest, AnswersOnlyForTheSameRequestAndRevision) {
@@ -147,11 +147,11 @@ TEST_F(TraceQueueTest, AnswersOnlyForTheSameRequestAndRevision) {
   ASSERT_TRUE(wait_better(*scene, request, {0, 1}));
   FrameRequest wider = request;
   wider.width *= 2;
-  EXPECT_FALSE(queue_->better(*scene, wider, {}));
-  EXPECT_FALSE(queue_->better(*scene, request, {1, 0}));
-  EXPECT_FALSE(queue_->better(*other, request, {}));
+  EXPECT_FALSE(queue_->better_picture(*scene, wider, {}));
+  EXPECT_FALSE(queue_->better_picture(*scene, request, {1, 0}));
+  EXPECT_FALSE(queue_->better_picture(*other, request, {}));
   ASSERT_TRUE(queue_->improve(scene, request, 0).ok());
-  EXPECT_TRUE(queue_->better(*scene, request, {})) << "asking again begins nothing anew";
+  EXPECT_TRUE(queue_->better_picture(*scene, request, {})) << "asking again begins nothing anew";
   EXPECT_EQ(stage_.begun, 1);
 }
 
@@ -161,7 +161,7 @@ TEST_F(TraceQueueTest, ANewRevisionEndsAProgressivePicture) {
   ASSERT_TRUE(queue().improve(scene, request, 0).ok());
   ASSERT_TRUE(wait_better(*scene, request, {}));
   execute(*scene, {comb_at(*scene, 5)});
-  ASSERT_TRUE(soon([&] { return !queue_->better(*scene, request, {}); }));
+  ASSERT_TRUE(soon([&] { return !queue_->better_picture(*scene, request, {}); }));
   const int passes = stage_.passes;
   ASSERT_TRUE(queue_->improve(scene, request, 0).ok());  // an outdated revision, so it is ignored
   std::this_thread::sleep_for(50ms);
@@ -170,7 +170,7 @@ TEST_F(TraceQueueTest, ANewRevisionEndsAProgressivePicture) {
   ASSERT_TRUE(queue_->improve(scene, request, 1).ok());
   EXPECT_TRUE(wait_better(*scene, request, {1, 0}));
   move(*scene, Undo{});
-  EXPECT_TRUE(soon([&] { return !queue_->better(*scene, request, {1, 0}); }));
+  EXPECT_TRUE(soon([&] { return !queue_->better_picture(*scene, request, {1, 0}); }));
 }
 
 TEST_F(TraceQueueTest, AnEndedProgressivePictureIsForgottenWithItsRevision) {
@@ -180,7 +180,7 @@ TEST_F(TraceQueueTest, AnEndedProgressivePictureIsForgottenWithItsRevision) {
   ASSERT_TRUE(wait_better(*scene, request, {0, 1}));
   execute(*scene, {comb_at(*scene, 5)});
   ASSERT_TRUE(queue_->improve(scene, other, 1).ok());
-  EXPECT_FALSE(queue_->better(*scene, request, {}));
+  EXPECT_FALSE(queue_->better_picture(*scene, request, {}));
 }
 
 TEST_F(TraceQueueTest, AViewThatAsksForSomethingElseDropsWhatItAskedFor) {
@@ -192,10 +192,10 @@ TEST_F(TraceQueueTest, AViewThatAsksForSomethingElseDropsWhatItAskedFor) {
   FrameRequest turned = request;
   turned.camera.automatic = AutoView::back;
   ASSERT_TRUE(queue_->improve(scene, turned, 0).ok());
-  EXPECT_FALSE(queue_->better(*scene, request, {}));
+  EXPECT_FALSE(queue_->better_picture(*scene, request, {}));
   EXPECT_TRUE(wait_better(*scene, turned, {}));
-  queue_->turn_from(*scene, turned);
-  EXPECT_FALSE(queue_->better(*scene, turned, {}));
+  queue_->supersede_view(*scene, turned);
+  EXPECT_FALSE(queue_->better_picture(*scene, turned, {}));
   EXPECT_TRUE(wait_better(*scene, bystander, {0, 1})) << "other views go on";
 }
 
@@ -256,7 +256,7 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForIsDropped) {
   const int passes = stage_.passes;
   std::this_thread::sleep_for(50ms);
   EXPECT_EQ(stage_.passes, passes);
-  EXPECT_FALSE(queue_->better(*scene, request, {}));
+  EXPECT_FALSE(queue_->better_picture(*scene, request, {}));
 }
 
 TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
@@ -267,7 +267,7 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
   ASSERT_TRUE(queue(limits).improve(scene, left, 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
   std::this_thread::sleep_for(400ms);
-  EXPECT_TRUE(queue_->better(*scene, left, {})) << "nobody else waits";
+  EXPECT_TRUE(queue_->better_picture(*scene, left, {})) << "nobody else waits";
   ASSERT_TRUE(queue_->improve(scene, next, 0).ok());
   EXPECT_TRUE(wait_better(*scene, next, {0, 1})) << "both have their turns while somebody looks";
   const FrameRequest other = progressive(1'000'000, "other");  // keeps tracing
@@ -277,7 +277,7 @@ TEST_F(TraceQueueTest, AProgressivePictureThatNobodyAsksForGivesWay) {
       std::this_thread::sleep_for(50ms);
       EXPECT_TRUE(queue_->improve(scene, other, 0).ok());
     }
-    return !queue_->better(*scene, left, {});  // asks for it at the same time
+    return !queue_->better_picture(*scene, left, {});  // asks for it at the same time
   };
   bool gone = false;
   for (int i = 0; i < 20 && !gone; ++i) gone = gone_unasked();
@@ -357,7 +357,7 @@ TEST_F(TraceQueueTest, PicturesThatAreTracedTogetherTakeTurns) {
 TEST_F(TraceQueueTest, APictureGoesOnWhereItCannotBeSetAside) {
   const auto scene = make();
   TraceQueue::Limits limits = quick();
-  limits.aside_bytes = 99;
+  limits.suspended_bytes = 99;
   queue(limits);
   std::future<Picture> first = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(300)); });
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
@@ -371,7 +371,7 @@ TEST_F(TraceQueueTest, YieldsWhileAnyoneGoesFirst) {
   ASSERT_TRUE(queue().improve(scene, progressive(1'000'000), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 2; }));
   {
-    const YieldGate::Turn turn = gate_.go_first();
+    const YieldGate::Priority turn = gate_.take_priority();
     std::this_thread::sleep_for(20ms);  // lets a pass in progress end
     const int passes = stage_.passes;
     std::this_thread::sleep_for(100ms);
@@ -386,7 +386,7 @@ TEST_F(TraceQueueTest, ARevisionEndsWhatIsHeldAtTheGate) {
   ASSERT_TRUE(queue().improve(scene, progressive(1'000'000), 0).ok());
   ASSERT_TRUE(soon([&] { return stage_.passes > 2; }));
   const int passes = [&] {
-    const YieldGate::Turn turn = gate_.go_first();
+    const YieldGate::Priority turn = gate_.take_priority();
     execute(*scene, {comb_at(*scene, 5)});
     return stage_.passes.load();
   }();
@@ -401,9 +401,9 @@ TEST_F(TraceQueueTest, PassesAFailureOn) {
   EXPECT_EQ(refused.status().code, Code::too_large);
   EXPECT_EQ(refused.status().pointer, "/quality/trace/strands");
   ASSERT_TRUE(queue_->improve(scene, progressive(4), 0).ok());
-  const auto better = wait_better(*scene, progressive(4), {});
-  ASSERT_TRUE(better);
-  EXPECT_EQ(better->status().code, Code::too_large);
+  const auto better_picture = wait_better(*scene, progressive(4), {});
+  ASSERT_TRUE(better_picture);
+  EXPECT_EQ(better_picture->status().code, Code::too_large);
 }
 
 TEST_F(TraceQueueTest, RefusesWhenTooManyWait) {
@@ -431,9 +431,9 @@ TEST_F(TraceQueueTest, BoundsTheNumberOfProgressivePictures) {
     ASSERT_TRUE(soon([&] { return queue_->counts().passes == stage_.passes.load() + 0u; }));
     std::this_thread::sleep_for(20ms);  // until the job has ended
   }
-  EXPECT_FALSE(queue_->better(*scene, progressive(1, "a"), {}));
-  EXPECT_TRUE(queue_->better(*scene, progressive(1, "b"), {}));
-  EXPECT_TRUE(queue_->better(*scene, progressive(1, "d"), {}));
+  EXPECT_FALSE(queue_->better_picture(*scene, progressive(1, "a"), {}));
+  EXPECT_TRUE(queue_->better_picture(*scene, progressive(1, "b"), {}));
+  EXPECT_TRUE(queue_->better_picture(*scene, progressive(1, "d"), {}));
 }
 
 TEST_F(TraceQueueTest, StopsAtOnce) {
@@ -443,7 +443,7 @@ TEST_F(TraceQueueTest, StopsAtOnce) {
       std::async(std::launch::async, [&] { return queue_->trace(scene, traced(1'000'000)); });
   ASSERT_TRUE(soon([&] { return stage_.passes > 0; }));
   std::future<Picture> waiting = std::async(std::launch::async, [&] { return queue_->trace(scene, traced(2)); });
-  const YieldGate::Turn turn = gate_.go_first();  // stop() also ends work that is held at the gate
+  const YieldGate::Priority turn = gate_.take_priority();  // stop() also ends work that is held at the gate
   queue_->stop();
   EXPECT_EQ(running.get().status().code, Code::unavailable);
   EXPECT_EQ(waiting.get().status().code, Code::unavailable);

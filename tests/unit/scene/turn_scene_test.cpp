@@ -8,7 +8,7 @@ namespace {
 
 constexpr TurnModel lying{.up = Axis::plus_z, .front = Axis::minus_y};
 
-glm::dmat3 turn_of(const TurnModel& how) { return pelage::turn_of(how.up, how.front); }
+glm::dmat3 axes_rotation(const TurnModel& how) { return pelage::axes_rotation(how.up, how.front); }
 
 /// The lean of the fur at each vertex as a vector in space.
 std::vector<glm::dvec3> leans(const Scene& scene) {
@@ -49,7 +49,7 @@ TEST_F(TurnSceneTest, FurEyesAndSkinTurnWithTheModel) {
   const std::vector<glm::dvec3> stood = leans(*scene);
   const SceneSummary after = turn(*scene);
   const SnapshotPtr now = scene->snapshot();
-  const glm::dmat3 way = turn_of(lying);
+  const glm::dmat3 way = axes_rotation(lying);
   EXPECT_EQ(after.revision, before->revision + 1);
   EXPECT_EQ(after.undo_steps, 0u);
   const Mesh &old = before->model->surface.mesh(), &mesh = now->model->surface.mesh();
@@ -104,9 +104,9 @@ TEST_F(TurnSceneTest, LayersTurnAlong) {
   const std::vector<glm::dvec3> plain = leans(*scene);
   EXPECT_GT(furthest(combed, plain, glm::dmat3(1)), 0.1);
   turn(*scene);
-  EXPECT_LT(furthest(plain, leans(*scene), turn_of(lying)), 1e-4);
+  EXPECT_LT(furthest(plain, leans(*scene), axes_rotation(lying)), 1e-4);
   mute(false);
-  EXPECT_LT(furthest(combed, leans(*scene), turn_of(lying)), 1e-4);
+  EXPECT_LT(furthest(combed, leans(*scene), axes_rotation(lying)), 1e-4);
 }
 
 TEST_F(TurnSceneTest, WhatStandsAlreadyStaysAndOneLineIsRefused) {

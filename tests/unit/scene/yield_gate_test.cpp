@@ -21,8 +21,8 @@ TEST(YieldGate, IsOpenWhileNobodyGoesFirst) {
 
 TEST(YieldGate, HoldsUntilTheLastTurnEnds) {
   YieldGate gate;
-  auto first = std::make_optional<YieldGate::Turn>(gate);
-  auto second = std::make_optional<YieldGate::Turn>(gate);
+  auto first = std::make_optional<YieldGate::Priority>(gate);
+  auto second = std::make_optional<YieldGate::Priority>(gate);
   std::future<bool> passed = std::async(std::launch::async, [&] { return gate.pass([] { return true; }); });
   EXPECT_EQ(passed.wait_for(50ms), std::future_status::timeout);
   first.reset();
@@ -33,7 +33,7 @@ TEST(YieldGate, HoldsUntilTheLastTurnEnds) {
 
 TEST(YieldGate, LetsGoOfWhatIsNoLongerWanted) {
   YieldGate gate;
-  const YieldGate::Turn turn = gate.go_first();
+  const YieldGate::Priority turn = gate.take_priority();
   std::atomic<bool> wanted{true};
   std::future<bool> passed = std::async(std::launch::async, [&] { return gate.pass([&] { return wanted.load(); }); });
   EXPECT_EQ(passed.wait_for(50ms), std::future_status::timeout);
@@ -44,7 +44,7 @@ TEST(YieldGate, LetsGoOfWhatIsNoLongerWanted) {
 
 TEST(YieldGate, HoldsBackAllThatYield) {
   YieldGate gate;
-  auto turn = std::make_optional<YieldGate::Turn>(gate);
+  auto turn = std::make_optional<YieldGate::Priority>(gate);
   std::atomic<int> through{0};
   std::vector<std::thread> threads;
   for (int i = 0; i < 8; ++i) threads.emplace_back([&] { through += gate.pass([] { return true; }) ? 1 : 0; });

@@ -67,11 +67,11 @@ TEST(SinePower, IsExactAtTheEnds) {
 }
 
 TEST(LightBehind, FallsOverItsReachForSurfacesAlone) {
-  EXPECT_EQ(light_behind(ShadingModel::kajiya, 0.2, 0.5), 1);
-  EXPECT_DOUBLE_EQ(light_behind(ShadingModel::kajiya, -0.25, 0.5), 0.5);
-  EXPECT_EQ(light_behind(ShadingModel::kajiya, -0.9, 0.5), 0);
-  EXPECT_EQ(light_behind(ShadingModel::energy_conserving, -1, 0.5), 1);
-  EXPECT_EQ(light_behind(ShadingModel::marschner, -1, 0.5), 1);
+  EXPECT_EQ(backlight_fade(ShadingModel::kajiya, 0.2, 0.5), 1);
+  EXPECT_DOUBLE_EQ(backlight_fade(ShadingModel::kajiya, -0.25, 0.5), 0.5);
+  EXPECT_EQ(backlight_fade(ShadingModel::kajiya, -0.9, 0.5), 0);
+  EXPECT_EQ(backlight_fade(ShadingModel::energy_conserving, -1, 0.5), 1);
+  EXPECT_EQ(backlight_fade(ShadingModel::marschner, -1, 0.5), 1);
 }
 
 }  // namespace

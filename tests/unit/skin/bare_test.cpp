@@ -65,7 +65,7 @@ TEST(BareSkin, HasThreeRadii) {
 TEST(BareSkin, FacesADirection) {
   FurSkinRegion region = ball(0.1, 0.5);
   region.facing = up;
-  region.cosine_whole = std::cos(glm::radians(60.0)), region.cosine_none = std::cos(glm::radians(90.0));
+  region.cosine_full = std::cos(glm::radians(60.0)), region.cosine_none = std::cos(glm::radians(90.0));
   const auto share = [&](double degrees) {
     const double angle = glm::radians(degrees);
     return bare_share(region, region.centre, {std::sin(angle), std::cos(angle), 0});

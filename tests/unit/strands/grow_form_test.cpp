@@ -228,7 +228,7 @@ TEST(GrowForm, TuftsGatherByTheirMiddle) {
     const StrandSet set = patch.grow({coat});
     for (std::size_t i = 0; i < set.count(); ++i) {
       const glm::vec3 root = knot(set, i, 0).place;
-      const TuftPlace tuft = tuft_at(coat.tufts, root, {0, 0, 1});
+      const TuftPull tuft = tuft_at(coat.tufts, root, {0, 0, 1});
       const double radius = glm::length(tuft.to_middle) / std::max(1 - tuft.inside, 0.05f);
       const double part = gathered(coat.tufts, 1) * std::min(1.0, fur / radius);
       const glm::vec3 side = tip(set, i).place - root - glm::vec3(0, 0, fur);

@@ -177,10 +177,10 @@ TEST(GrowChunks, HoldEachPieceOnceAndLieTogether) {
   for (const StrandChunk& chunk : chunks) {
     glm::vec3 low(9), high(-9);
     double strands = 0;
-    for (const std::uint32_t piece : chunk) {
-      ++times[piece], strands += expected_strands(patch.corners[piece], coat);
-      low = glm::min(low, patch.positions[patch.triangles[piece].x]);
-      high = glm::max(high, patch.positions[patch.triangles[piece].x]);
+    for (const std::uint32_t triangle : chunk) {
+      ++times[triangle], strands += expected_strands(patch.corners[triangle], coat);
+      low = glm::min(low, patch.positions[patch.triangles[triangle].x]);
+      high = glm::max(high, patch.positions[patch.triangles[triangle].x]);
     }
     extents += glm::length(high - low);
     EXPECT_LE(strands, 8000);

@@ -192,8 +192,8 @@ TEST(GrownFur, LeavesBendingToTheCaller) {
   fur.update(bent.patch.model(), bent.fields(), bent.recipe, 2);
   left.update(bent.patch.model(), bent.fields(), bent.recipe, 2, {}, Bending::left);
   still.update(bent.patch.model(), bent.patch.fields(), bent.recipe, 2);
-  EXPECT_EQ(left.bend().pieces.size(), bent.patch.triangles.size());
-  EXPECT_TRUE(still.bend().pieces.empty());
+  EXPECT_EQ(left.bend().triangles.size(), bent.patch.triangles.size());
+  EXPECT_TRUE(still.bend().triangles.empty());
   for (std::size_t i = 0; i < fur.parts().size(); ++i) {
     const GrownPart &one = fur.parts()[i], &other = left.parts()[i];
     EXPECT_EQ(one.low, other.low);

@@ -83,12 +83,12 @@ TEST(World, AStrandIsLeftOutByRaysThatStartOnIt) {
   grown(world, patch, thick_coat());
   Ray ray = past_first(patch.grow({thick_coat()}), 0);
   const Hit first = world.intersect(ray);
-  ray.without = first.strand;
+  ray.ignored = first.strand;
   EXPECT_NE(world.intersect(ray).strand, first.strand);
   Ray short_ray = ray;
   short_ray.t_max = 0.007f;
   EXPECT_FALSE(world.occluded(short_ray));
-  short_ray.without = {};
+  short_ray.ignored = {};
   EXPECT_TRUE(world.occluded(short_ray));
 }
 

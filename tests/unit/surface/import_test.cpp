@@ -210,7 +210,7 @@ RawModel everything() {
   model.length_scale = {1, 0.5f, 2, 4};
   model.front = Axis::minus_x;
   model.pose = "Walk@0.5", model.animations = {"Walk", ""};
-  model.lose("missing_pictures", "fur.png", 2);
+  model.add_loss("missing_pictures", "fur.png", 2);
   return model;
 }
 

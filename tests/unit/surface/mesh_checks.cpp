@@ -20,8 +20,8 @@ void expect_patches(const Mesh& mesh) {
         std::isfinite(point.uv.x) && std::isfinite(point.uv.y) && std::abs(glm::length(point.axis) - 1) < 1e-4f;
     if (!good) ++bad_points;
   }
-  for (const Piece& piece : map.pieces) {
-    for (int k = 0; k < 3; ++k) sums[piece.triangle][k] += double{map.points[piece.points[k]].weight};
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
+    for (int k = 0; k < 3; ++k) sums[patch_triangle.triangle][k] += double{map.points[patch_triangle.points[k]].weight};
   }
   for (const glm::dvec3& sum : sums) {
     for (int k = 0; k < 3; ++k) bad_sums += !(std::abs(sum[k] - 1) < 1e-5);

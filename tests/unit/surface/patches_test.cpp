@@ -33,16 +33,16 @@ struct Quality {
 };
 
 Quality quality_of(const Mesh& mesh, const PatchMap& map) {
-  double surface = 0, pieces = 0;
+  double surface = 0, patch_triangles = 0;
   Quality quality;
   std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));
-  for (const Piece& piece : map.pieces) {
-    const double area = area_of(mesh, piece.triangle);
-    const Stretch stretch = stretch_of(mesh, map, piece);
-    pieces += area;
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
+    const double area = area_of(mesh, patch_triangle.triangle);
+    const Stretch stretch = stretch_of(mesh, map, patch_triangle);
+    patch_triangles += area;
     quality.flipped += stretch.flipped ? area : 0;
     quality.stretched += stretch.large > 1.4 || stretch.small < 1 / 1.4 ? area : 0;
-    for (int k = 0; k < 3; ++k) sums[piece.triangle][k] += double{map.points[piece.points[k]].weight};
+    for (int k = 0; k < 3; ++k) sums[patch_triangle.triangle][k] += double{map.points[patch_triangle.points[k]].weight};
   }
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     surface += area_of(mesh, t);
@@ -51,8 +51,8 @@ Quality quality_of(const Mesh& mesh, const PatchMap& map) {
       quality.largest_sum = std::max(quality.largest_sum, sums[t][k]);
     }
   }
-  quality.area_factor = pieces / surface;
-  quality.flipped /= pieces, quality.stretched /= pieces;
+  quality.area_factor = patch_triangles / surface;
+  quality.flipped /= patch_triangles, quality.stretched /= patch_triangles;
   return quality;
 }
 
@@ -71,9 +71,9 @@ TEST(Patches, APlaneIsOneAndKeepsItsLengths) {
   const Mesh mesh = builtin(Builtin::plane, 200);
   const PatchMap map = lay_patches(mesh);
   EXPECT_EQ(map.patches, 1u);
-  EXPECT_EQ(map.pieces.size(), mesh.triangles.size());
-  for (const Piece& piece : map.pieces) {
-    const PatchPoint &a = map.points[piece.points.x], &b = map.points[piece.points.y];
+  EXPECT_EQ(map.patch_triangles.size(), mesh.triangles.size());
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
+    const PatchPoint &a = map.points[patch_triangle.points.x], &b = map.points[patch_triangle.points.y];
     const glm::vec3 side = mesh.positions[b.vertex] - mesh.positions[a.vertex];
     EXPECT_NEAR(glm::length(b.uv - a.uv), glm::length(side), 1e-6);
     EXPECT_NEAR(b.uv.x - a.uv.x, glm::dot(side, a.axis), 1e-6) << "u runs along the axis";
@@ -106,8 +106,8 @@ TEST(Patches, AxesLieInTheTangentPlaneAndPointWhereUGrows) {
   const Mesh mesh = builtin(Builtin::creature, 5000);
   const PatchMap map = lay_patches(mesh);
   double along = 0, count = 0;
-  for (const Piece& piece : map.pieces) {
-    const PatchPoint &a = map.points[piece.points.x], &b = map.points[piece.points.y];
+  for (const PatchTriangle& patch_triangle : map.patch_triangles) {
+    const PatchPoint &a = map.points[patch_triangle.points.x], &b = map.points[patch_triangle.points.y];
     const glm::vec3 side = mesh.positions[b.vertex] - mesh.positions[a.vertex];
     EXPECT_NEAR(glm::length(a.axis), 1, 1e-5);
     EXPECT_NEAR(glm::dot(a.axis, mesh.normals[a.vertex]), 0, 1e-4);
@@ -179,12 +179,14 @@ TEST(Patches, CellsHangTogetherAndAreNotTooLarge) {
 
 TEST(Patches, HardPiecesKeepTheLargestShare) {
   const Mesh mesh = builtin(Builtin::creature, 5000);
-  const PatchMap map = lay_patches(mesh), hard = hard_pieces(map);
-  ASSERT_EQ(hard.pieces.size(), mesh.triangles.size());
-  const auto share = [&](const Piece& piece) {
-    return map.points[piece.points.x].weight + map.points[piece.points.y].weight + map.points[piece.points.z].weight;
+  const PatchMap map = lay_patches(mesh), hard = with_hard_borders(map);
+  ASSERT_EQ(hard.patch_triangles.size(), mesh.triangles.size());
+  const auto share = [&](const PatchTriangle& patch_triangle) {
+    return map.points[patch_triangle.points.x].weight + map.points[patch_triangle.points.y].weight +
+           map.points[patch_triangle.points.z].weight;
   };
-  for (const Piece& piece : map.pieces) EXPECT_LE(share(piece), share(hard.pieces[piece.triangle]));
+  for (const PatchTriangle& patch_triangle : map.patch_triangles)
+    EXPECT_LE(share(patch_triangle), share(hard.patch_triangles[patch_triangle.triangle]));
   EXPECT_TRUE(std::all_of(hard.points.begin(), hard.points.end(), [](const PatchPoint& p) { return p.weight == 1; }));
 }
 
@@ -204,10 +206,10 @@ TEST(OwnUvs, KeepLengthsAndTurnMirroredIslandsOver) {
   const Result<PatchMap> map = own_uv_patches(*mesh);
   ASSERT_TRUE(map.ok()) << map.status().message;
   EXPECT_EQ(map->patches, 2u);
-  EXPECT_EQ(map->pieces.size(), 4u);
+  EXPECT_EQ(map->patch_triangles.size(), 4u);
   EXPECT_EQ(map->points.size(), 8u);
-  for (const Piece& piece : map->pieces) {
-    const Stretch stretch = stretch_of(*mesh, *map, piece);
+  for (const PatchTriangle& patch_triangle : map->patch_triangles) {
+    const Stretch stretch = stretch_of(*mesh, *map, patch_triangle);
     EXPECT_NEAR(stretch.large, 1, 1e-5);
     EXPECT_NEAR(stretch.small, 1, 1e-5);
     EXPECT_FALSE(stretch.flipped);
@@ -252,7 +254,7 @@ TEST(SharedPatches, CoverTheModelsOfTheSharedFolder) {
   const Result<Mesh> spot = shared_models::load_file(shared_models::folder() + "/spot.obj");
   const Result<PatchMap> own = own_uv_patches(*spot);
   ASSERT_TRUE(own.ok()) << own.status().message;
-  EXPECT_EQ(own.value().pieces.size(), spot->triangles.size());
+  EXPECT_EQ(own.value().patch_triangles.size(), spot->triangles.size());
   const Quality quality = quality_of(*spot, own.value());
   EXPECT_LT(quality.flipped, 0.001);
   EXPECT_EQ(quality.min_sum, 1);

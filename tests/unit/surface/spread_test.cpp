@@ -15,12 +15,12 @@ namespace pelage::spread_test {
 namespace {
 
 TEST(MonotoneQueueTest, GivesWhatABinaryHeapGives) {
-  using Place = MonotoneQueue::Place;
+  using Entry = MonotoneQueue::Entry;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     Random random(seed);
     const double reach = random.uniform(0.1, 3);
     MonotoneQueue queue(random.uniform(0.01, 1), reach);
-    std::priority_queue<Place, std::vector<Place>, std::greater<>> heap;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> heap;
     double last = random.uniform(0, 100);
     const auto push = [&] {
       // Coarse distances, so that many are equal.

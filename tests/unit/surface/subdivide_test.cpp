@@ -70,19 +70,19 @@ double boundary_of(const Mesh& mesh) {
 
 void expect_shares(const Mesh& mesh, const PatchMap& map) {
   std::vector<glm::dvec3> sums(mesh.triangles.size(), glm::dvec3(0));
-  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
-    const Piece& piece = map.pieces[i];
+  for (std::size_t i = 0; i < map.patch_triangles.size(); ++i) {
+    const PatchTriangle& patch_triangle = map.patch_triangles[i];
     if (i > 0) {
-      const Piece& before = map.pieces[i - 1];
-      ASSERT_LT(std::pair(before.triangle, before.patch), std::pair(piece.triangle, piece.patch));
+      const PatchTriangle& before = map.patch_triangles[i - 1];
+      ASSERT_LT(std::pair(before.triangle, before.patch), std::pair(patch_triangle.triangle, patch_triangle.patch));
     }
     for (int k = 0; k < 3; ++k) {
-      const PatchPoint& point = map.points[piece.points[k]];
-      ASSERT_EQ(point.vertex, mesh.triangles[piece.triangle][k]);
-      ASSERT_EQ(point.patch, piece.patch);
+      const PatchPoint& point = map.points[patch_triangle.points[k]];
+      ASSERT_EQ(point.vertex, mesh.triangles[patch_triangle.triangle][k]);
+      ASSERT_EQ(point.patch, patch_triangle.patch);
       ASSERT_NEAR(glm::length(point.axis), 1, 1e-5);
       ASSERT_NEAR(glm::dot(point.axis, mesh.normals[point.vertex]), 0, 1e-5);
-      sums[piece.triangle][k] += double{point.weight};
+      sums[patch_triangle.triangle][k] += double{point.weight};
     }
   }
   for (const glm::dvec3& sum : sums) {

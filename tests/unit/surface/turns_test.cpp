@@ -38,7 +38,7 @@ TEST(Turns, OfAThingThatIsTurnedAreItsRotation) {
   for (const Builtin shape : {Builtin::creature, Builtin::torus, Builtin::plane}) {
     const Mesh mesh = mesh_of(shape);
     for (const glm::dmat3& found :
-         surface_turns(mesh, moved_by(mesh, [&](glm::dvec3 p) { return turn * p * 1.5 + glm::dvec3(3, 2, 1); })))
+         surface_rotations(mesh, moved_by(mesh, [&](glm::dvec3 p) { return turn * p * 1.5 + glm::dvec3(3, 2, 1); })))
       ASSERT_LT(off(found, turn), 2e-4);
   }
 }
@@ -48,27 +48,28 @@ TEST(Turns, OfASheetThatShearsAreItsPolarFactor) {
   const double shear = 0.4, angle = std::atan(shear / 2);  // rotation by the polar factor of ((1, shear), (0, 1))
   const glm::dvec3 up(mesh.normals[0]);
   const glm::dvec3 x = tailward(up), y = glm::cross(up, x);
-  const auto turns = surface_turns(mesh, moved_by(mesh, [&](glm::dvec3 p) { return p + shear * glm::dot(p, y) * x; }));
+  const auto turns =
+      surface_rotations(mesh, moved_by(mesh, [&](glm::dvec3 p) { return p + shear * glm::dot(p, y) * x; }));
   for (const glm::dmat3& turn : turns)
     ASSERT_LT(glm::distance(turn * x, std::cos(angle) * x - std::sin(angle) * y), 1e-4);
 }
 
 TEST(Turns, AreRotationsWhateverHappens) {
   const Mesh mesh = mesh_of(Builtin::creature);
-  expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3) { return glm::dvec3(0); })));
-  expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) { return -p; })));
-  expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) { return 1e3 * p; })));
-  expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) { return 1e-12 * p; })));
-  expect_rotations(surface_turns(mesh, moved_by(mesh, [](glm::dvec3 p) {
-                                   return glm::dvec3(p.x * std::sin(40 * p.y), p.z, std::cos(90 * p.x));
-                                 })));
+  expect_rotations(surface_rotations(mesh, moved_by(mesh, [](glm::dvec3) { return glm::dvec3(0); })));
+  expect_rotations(surface_rotations(mesh, moved_by(mesh, [](glm::dvec3 p) { return -p; })));
+  expect_rotations(surface_rotations(mesh, moved_by(mesh, [](glm::dvec3 p) { return 1e3 * p; })));
+  expect_rotations(surface_rotations(mesh, moved_by(mesh, [](glm::dvec3 p) { return 1e-12 * p; })));
+  expect_rotations(surface_rotations(mesh, moved_by(mesh, [](glm::dvec3 p) {
+                                       return glm::dvec3(p.x * std::sin(40 * p.y), p.z, std::cos(90 * p.x));
+                                     })));
 }
 
 TEST(Turns, TakeNormalsAndTangentsAlong) {
   const Mesh rest = mesh_of(Builtin::creature);
   const glm::dmat3 turn(glm::rotate(glm::dmat4(1), 1.1, glm::normalize(glm::dvec3(0, 1, 1))));
   std::vector<glm::vec3> there = moved_by(rest, [&](glm::dvec3 p) { return turn * p; });
-  const std::vector<glm::dmat3> turns = surface_turns(rest, there);
+  const std::vector<glm::dmat3> turns = surface_rotations(rest, there);
   const Mesh mesh = moved(rest, there, turns);
   EXPECT_EQ(mesh.positions, there);
   EXPECT_EQ(mesh.triangles, rest.triangles);

@@ -23,7 +23,7 @@ const reasons: Record<number, string> = {
 };
 
 /** Makes a problem document for an answer without one, from its first line of plain text or its status. */
-function unexplained(status: number, text: string): Problem {
+function fallbackProblem(status: number, text: string): Problem {
   const line = /^\s*[<{]/.test(text) ? "" : text.trim().split("\n")[0]!.slice(0, 160);
   const reason = line || reasons[status] || (status >= 500 ? "the server failed" : "no reason was given");
   return {type: "about:blank", title: "The request failed.", status, detail: `The request was answered with ${status}: ${reason}.`};
@@ -41,11 +41,11 @@ export function commonHeaders(method: string): Record<string, string> {
 export function refusalOf(status: number, text: string): Refusal {
   try {
     const problem = JSON.parse(text) as Partial<Problem> | null;
-    if (problem?.detail || problem?.title) return new Refusal(status, {...unexplained(status, ""), ...problem});
+    if (problem?.detail || problem?.title) return new Refusal(status, {...fallbackProblem(status, ""), ...problem});
   } catch {
     // not JSON
   }
-  return new Refusal(status, unexplained(status, text));
+  return new Refusal(status, fallbackProblem(status, text));
 }
 
 /** Repeats the attempt with another token while the server asks for one and the user provides it. */

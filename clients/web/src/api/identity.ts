@@ -2,7 +2,7 @@
 import {effect, signal} from "@preact/signals";
 
 /** Returns a signal whose value is stored in this browser under `name`. */
-export function kept<T>(name: string, initial: T) {
+export function storedSignal<T>(name: string, initial: T) {
   const key = `pelage.${name}`;
   let value = initial;
   try {
@@ -11,20 +11,20 @@ export function kept<T>(name: string, initial: T) {
   } catch {
     // an unreadable value counts as absent
   }
-  const held = signal(value);
+  const stored = signal(value);
   effect(() => {
-    const text = JSON.stringify(held.value);
+    const text = JSON.stringify(stored.value);
     try { localStorage.setItem(key, text); } catch { /* the storage is full or forbidden: the value lasts until the page is closed */ }
   });
-  return held;
+  return stored;
 }
 
 const animals = ["otter", "lynx", "marten", "hare", "badger", "fox", "stoat", "bear", "vole", "wolf", "deer", "yak"];
 
 /** The user's name, recorded with each edit and shown to others. */
-export const author = kept("author", `${animals[Math.floor(Math.random() * animals.length)]} ${Math.floor(Math.random() * 90 + 10)}`);
+export const author = storedSignal("author", `${animals[Math.floor(Math.random() * animals.length)]} ${Math.floor(Math.random() * 90 + 10)}`);
 /** Bearer token for a server that needs one; "" for none. */
-export const token = kept("token", "");
+export const token = storedSignal("token", "");
 /** A random id of this page, different from those of all other open pages. */
 export const page_id = crypto.getRandomValues(new Uint32Array(2)).join("-");
 

@@ -89,10 +89,10 @@ export const downloadPicture = (format: "png" | "exr", size: Size, transparent: 
 
 /** Downloads a map; `request` has the members of MapRequest. */
 export const downloadMap = (request: Values) => make(`Making the map of ${String(request["field"])}`, async (open, stop) => {
-  const {field, ...rest} = request;
-  const query = new URLSearchParams(Object.entries(rest).map(([name, value]) => [name, String(value)]));
+  const {field, ...parameters} = request;
+  const query = new URLSearchParams(Object.entries(parameters).map(([name, value]) => [name, String(value)]));
   const answer = await call(`${scenePath(open.id)}/maps/${String(field)}?${query}`, {signal: stop.signal});
-  save(await answer.blob(), fileName(open, `${String(field)}.${String(rest["format"] ?? "png16").startsWith("exr") ? "exr" : "png"}`));
+  save(await answer.blob(), fileName(open, `${String(field)}.${String(parameters["format"] ?? "png16").startsWith("exr") ? "exr" : "png"}`));
 });
 
 export const downloadLog = () => make("Reading the steps", async (open) => {

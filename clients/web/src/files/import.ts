@@ -1,17 +1,17 @@
 // Uploads a model into a scene, from the question about its axes to the report. Also takes dropped recipes and pictures.
 import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal, createScene, removeScene, scenePath} from "../api/client";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {CommandAnswer, Repair, Scene} from "../api/types";
 import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
 import {isPicture, takePicture} from "../scene/upload";
-import {hear, isOpen, listScenes, openScene, run, scene} from "../scene/session";
+import {onServerRevision, isOpen, listScenes, openScene, run, scene} from "../scene/session";
 import {panel} from "../shell/places";
 import {PlanError, planOf, type Plan} from "./plan";
 import {brokenAssert} from "./asserts";
 import {stepsOf} from "./steps";
-import {endingOf, folderOf, type Taken} from "./take";
+import {endingOf, folderOf, type InputFile} from "./take";
 
 /** A repeated upload with other axes may discard the scene's groom, but only if the scene is still at `revision`. */
 export type Loss = {revision: number};
@@ -29,7 +29,7 @@ export const leave = () => { importing.value = null; };
 const max_name_bytes = 200;
 
 /** Returns advice for the user on a refusal. */
-function nextOf(error: unknown): string {
+function adviceOn(error: unknown): string {
   if (error instanceof Offline) return "Nothing was changed. Try again once the server answers.";
   if (!(error instanceof Refusal)) return "Try again, or export the model in another format.";
   const {limit} = error.problem;
@@ -44,7 +44,7 @@ function nameOf(plan: Plan): string {
   return name;
 }
 
-const accepting = (loss: Loss | undefined): Record<string, string> => (loss ? {discard: "1"} : {});
+const discardQuery = (loss: Loss | undefined): Record<string, string> => (loss ? {discard: "1"} : {});
 const atRevision = (loss: Loss | undefined): Record<string, string> => (loss ? {"If-Match": `"${loss.revision}"`} : {});
 
 async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortController): Promise<{description: Scene; notes: string[]}> {
@@ -54,7 +54,7 @@ async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortC
     if (what === "the model" && seconds > 0.5) upload_speed.value = sent / seconds;
     importing.value = {stage: share < 1 ? "sending" : "preparing", plan, what, share, stop};
   };
-  const query = new URLSearchParams(Object.entries({format: plan.format, ground: true, ...plan.options, ...accepting(loss)}).map(([name, value]) => [name, String(value)]));
+  const query = new URLSearchParams(Object.entries({format: plan.format, ground: true, ...plan.options, ...discardQuery(loss)}).map(([name, value]) => [name, String(value)]));
   show("the model")(0);
   let description = await upload<Scene>(`${scenePath(id)}/model?${query}`, plan.bytes, show("the model"), stop.signal, atRevision(loss));
   const notes = [...plan.notes];
@@ -71,10 +71,10 @@ async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortC
 }
 
 /** Returns the state of the card after an upload that failed or was aborted. */
-function asideFrom(error: unknown, plan: Plan, into: string): Import {
+function stateAfter(error: unknown, plan: Plan, into: string): Import {
   if (error instanceof Aborted) return {stage: "asking", plan, into};
   const says = error instanceof Offline ? "The connection to the server broke." : (error as Error).message;
-  return {stage: "failed", says, next: nextOf(error), plan, into};
+  return {stage: "failed", says, next: adviceOn(error), plan, into};
 }
 
 /** Returns the card's notes on a loaded model. */
@@ -87,7 +87,7 @@ function notesOn({materials, carried}: Scene): string[] {
 }
 
 /** Speed of the latest upload in bytes per second; 0 before the first. */
-export const upload_speed = kept("upload-speed", 0);
+export const upload_speed = storedSignal("upload-speed", 0);
 
 /** Uploads the plan. A scene that was created for it is removed if the upload fails. */
 export async function startImport(plan: Plan, into: string, loss?: Loss): Promise<void> {
@@ -98,17 +98,17 @@ export async function startImport(plan: Plan, into: string, loss?: Loss): Promis
     const id = into || plan.version_of || (made = (await createScene({name: nameOf(plan), model: {builtin: "plane", triangles: 2}})).id);
     const {description, notes} = await send(plan, id, loss, stop);
     await Promise.all([openScene(id), listScenes()]);
-    hear(description.revision);
+    onServerRevision(description.revision);
     importing.value = {stage: "done", plan, into: id, revision: description.revision, triangles: description.triangles, repairs: description.repairs, notes: [...notes, ...notesOn(description)]};
   } catch (error) {
     if (made) await removeScene(made).then(listScenes).catch(() => undefined);
     if (error instanceof Refusal && error.status === 412) return startImport(plan, into);  // groomed meanwhile: keep the groom
-    importing.value = asideFrom(error, plan, into);
+    importing.value = stateAfter(error, plan, into);
   }
 }
 
 /** Returns the recipes that `main` can include, by path: the files dropped with it, and the built-in recipes. */
-async function recipesBeside(main: Taken, all: Taken[]): Promise<Record<string, unknown>> {
+async function recipesBeside(main: InputFile, all: InputFile[]): Promise<Record<string, unknown>> {
   const own = Object.entries((await import("./sample_grooms")).recipes).map(([name, recipe]) => [`${folderOf(main.path)}${name}`, recipe]);
   const others = all.filter((one) => one !== main && endingOf(one.path) === "json");
   const dropped = await Promise.all(others.map(async ({path, file}) => [path, JSON.parse(await file.text()) as unknown]));
@@ -116,7 +116,7 @@ async function recipesBeside(main: Taken, all: Taken[]): Promise<Record<string, 
 }
 
 /** Runs the steps of a recipe or a log on the open scene, each as one undo step. */
-async function runFile(main: Taken, all: Taken[]) {
+async function runFile(main: InputFile, all: InputFile[]) {
   const open = scene.value;
   if (!open) return say("Open a scene first.", "A recipe grooms the model that is open.", "error");
   const steps = await stepsOf(open.id, main.path, await main.file.text(), await recipesBeside(main, all));
@@ -134,7 +134,7 @@ async function runFile(main: Taken, all: Taken[]) {
 }
 
 /** Handles files that were dropped or chosen: runs a recipe, uses a picture, or starts the upload of a model. */
-export async function take(all: Taken[]) {
+export async function take(all: InputFile[]) {
   if (all.length === 0) return;
   const recipe = all.find(({path}) => ["json", "jsonl"].includes(endingOf(path)));
   const has_model = all.some(({path}) => ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"].includes(endingOf(path)));

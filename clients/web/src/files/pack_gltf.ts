@@ -1,6 +1,6 @@
 // Packs a .gltf and the files that it references into one GLB: all buffers and pictures follow each other in its binary
 // chunk.
-import {baseOf, endingOf, findNamed, type Taken} from "./take";
+import {baseOf, endingOf, findNamed, type InputFile} from "./take";
 
 interface BufferView { buffer: number; byteOffset?: number; byteLength: number; extensions?: Record<string, {buffer?: number; byteOffset?: number}> }
 interface Gltf {
@@ -46,20 +46,20 @@ class Binary {
   }
 }
 
-function moveViews(gltf: Gltf, starts: number[]) {
+function rebaseViews(gltf: Gltf, offsets: number[]) {
   for (const view of gltf.bufferViews ?? []) {
-    for (const place of [view, ...Object.values(view.extensions ?? {})]) {  // compression extensions have their own buffer
-      if (typeof place.buffer !== "number") continue;
-      place.byteOffset = (place.byteOffset ?? 0) + (starts[place.buffer] ?? 0);
-      place.buffer = 0;
+    for (const reference of [view, ...Object.values(view.extensions ?? {})]) {  // compression extensions have their own buffer
+      if (typeof reference.buffer !== "number") continue;
+      reference.byteOffset = (reference.byteOffset ?? 0) + (offsets[reference.buffer] ?? 0);
+      reference.buffer = 0;
     }
   }
 }
 
-function addPictures(gltf: Gltf, binary: Binary, open: (uri: string) => Uint8Array | Blob | null) {
+function addPictures(gltf: Gltf, binary: Binary, openFile: (uri: string) => Uint8Array | Blob | null) {
   for (const image of gltf.images ?? []) {
     if (image.uri === undefined) continue;
-    const bytes = open(image.uri);
+    const bytes = openFile(image.uri);
     if (!bytes) continue;
     image.mimeType ??= /^data:([^;,]+)/.exec(image.uri)?.[1] ?? picture_types[endingOf(image.uri)] ?? "image/png";
     gltf.bufferViews = [...(gltf.bufferViews ?? []), {buffer: 0, byteOffset: binary.add(bytes), byteLength: bytes instanceof Blob ? bytes.size : bytes.byteLength}];
@@ -76,22 +76,22 @@ function glb(gltf: Gltf, binary: Binary): Blob {
   return new Blob([head, padded, new Uint32Array([binary.bytes, chunk_binary]), ...binary.parts] as BlobPart[]);
 }
 
-export async function packGltf(model: Taken, all: Taken[]): Promise<Blob> {
+export async function packGltf(model: InputFile, all: InputFile[]): Promise<Blob> {
   const gltf = JSON.parse(await model.file.text()) as Gltf;
   const missing: string[] = [];
-  const open = (uri: string): Uint8Array | Blob | null => {
+  const openFile = (uri: string): Uint8Array | Blob | null => {
     if (uri.startsWith("data:")) return bytesOfDataUri(uri);
     const found = findNamed(all, model.path, decodeURIComponent(uri));
     if (!found) missing.push(baseOf(decodeURIComponent(uri)));
     return found?.file ?? null;
   };
   const binary = new Binary();
-  const starts = (gltf.buffers ?? []).map(({uri}) => {
-    const bytes = uri === undefined ? null : open(uri);
+  const offsets = (gltf.buffers ?? []).map(({uri}) => {
+    const bytes = uri === undefined ? null : openFile(uri);
     return bytes ? binary.add(bytes) : 0;
   });
-  moveViews(gltf, starts);
-  addPictures(gltf, binary, open);
+  rebaseViews(gltf, offsets);
+  addPictures(gltf, binary, openFile);
   if (missing.length) throw new MissingFiles([...new Set(missing)]);
   if (binary.bytes) gltf.buffers = [{byteLength: binary.bytes}];
   return glb(gltf, binary);

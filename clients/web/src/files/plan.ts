@@ -1,7 +1,7 @@
 // Plans an upload: chooses one model among the dropped files and packs it with the files that it references.
 import type {ModelFormat} from "../api/types";
 import type {Values} from "../tools/state";
-import {endingOf, type Taken} from "./take";
+import {endingOf, type InputFile} from "./take";
 
 export interface Plan {
   name: string;
@@ -23,11 +23,11 @@ export const model_endings = ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"] 
 const max_model_bytes = 256 * 1024 * 1024;
 const mebibytes = (bytes: number) => `${Math.ceil(bytes / 1024 / 1024)} MiB`;
 
-const isModel = ({path}: Taken) => (model_endings as readonly string[]).includes(endingOf(path));
+const isModel = ({path}: InputFile) => (model_endings as readonly string[]).includes(endingOf(path));
 
 /** Chooses the most likely model: by format, then by size. `others` counts the models that were not chosen. */
-export function chooseModel(all: Taken[]): {model: Taken | undefined; others: number} {
-  const rank = ({path}: Taken) => (model_endings as readonly string[]).indexOf(endingOf(path));
+export function chooseModel(all: InputFile[]): {model: InputFile | undefined; others: number} {
+  const rank = ({path}: InputFile) => (model_endings as readonly string[]).indexOf(endingOf(path));
   const models = all.filter(isModel).sort((a, b) => rank(a) - rank(b) || b.file.size - a.file.size);
   return {model: models[0], others: models.length - 1};
 }
@@ -35,7 +35,7 @@ export function chooseModel(all: Taken[]): {model: Taken | undefined; others: nu
 /** Guesses the axes by format: STL and 3DS usually have z up; glTF has y up by its standard. */
 const axesOf = (format: ModelFormat): Values => (["stl", "3ds"].includes(format) ? {up: "z", front: "-y"} : {up: "y", front: "z"});
 
-async function pack(model: Taken, all: Taken[]): Promise<Blob> {
+async function pack(model: InputFile, all: InputFile[]): Promise<Blob> {
   const {MissingFiles, packGltf} = await import("./pack_gltf");
   try {
     return await packGltf(model, all);
@@ -45,7 +45,7 @@ async function pack(model: Taken, all: Taken[]): Promise<Blob> {
   }
 }
 
-export async function planOf(all: Taken[]): Promise<Plan> {
+export async function planOf(all: InputFile[]): Promise<Plan> {
   const {model, others} = chooseModel(all);
   if (!model) throw new PlanError("There is no model among these files.", `Models end in ${model_endings.map((one) => `.${one}`).join(", ")}; recipes in .json or .jsonl.`);
   const ending = endingOf(model.path) as ModelFormat;

@@ -38,7 +38,7 @@ async function pictureOf({scene, orbit: from, revision}: Cell, size: {width: num
 }
 
 /** Draws the cells in rows, each with its label below. */
-async function composed(cells: Cell[], columns: number, says: string, stop: AbortController): Promise<Blob> {
+async function composeSheet(cells: Cell[], columns: number, says: string, stop: AbortController): Promise<Blob> {
   const canvas = document.createElement("canvas");
   canvas.width = columns * cell.width, canvas.height = Math.ceil(cells.length / columns) * (cell.height + label_height);
   const pen = canvas.getContext("2d")!;
@@ -54,16 +54,16 @@ async function composed(cells: Cell[], columns: number, says: string, stop: Abor
   return new Promise((done) => canvas.toBlob((bytes) => done(bytes!), "image/png"));
 }
 
-const around = (scene: Scene, yaw: number): Orbit => ({...framed(scene, "three_quarter", cell.width / cell.height), yaw});
+const orbitAt = (scene: Scene, yaw: number): Orbit => ({...framed(scene, "three_quarter", cell.width / cell.height), yaw});
 
 export const contactSheet = () => make("Drawing the contact sheet", async (scene, stop) => {
   const aspect = cell.width / cell.height;
   const cells: Cell[] = [
     {scene, orbit: framed(scene, "three_quarter", aspect), label: scene.name}, {scene, orbit: framed(scene, "front", aspect), label: "Front"},
-    {scene, orbit: framed(scene, "left", aspect), label: "Left"}, {scene, orbit: around(scene, 0.6 + Math.PI), label: "From behind"},
+    {scene, orbit: framed(scene, "left", aspect), label: "Left"}, {scene, orbit: orbitAt(scene, 0.6 + Math.PI), label: "From behind"},
     {scene, orbit: framed(scene, "back", aspect), label: "Back"}, {scene, orbit: framed(scene, "top", aspect), label: "From above"},
   ];
-  show(await composed(cells, 3, "Drawing the contact sheet", stop), fileNameOf(scene.name, "contact sheet", "png"));
+  show(await composeSheet(cells, 3, "Drawing the contact sheet", stop), fileNameOf(scene.name, "contact sheet", "png"));
 });
 
 export const beforeAndAfter = () => make("Drawing before and after", async (scene, stop) => {
@@ -72,13 +72,13 @@ export const beforeAndAfter = () => make("Drawing before and after", async (scen
     await refresh();
   }
   const cells: Cell[] = [{scene, orbit: orbit.value, label: "The first groom", revision: first_revision.value}, {scene, orbit: orbit.value, label: "Now"}];
-  show(await composed(cells, 2, "Drawing before and after", stop), fileNameOf(scene.name, "before and after", "png"));
+  show(await composeSheet(cells, 2, "Drawing before and after", stop), fileNameOf(scene.name, "before and after", "png"));
 });
 
 export const sideBySide = (other: Scene) => make(`Drawing ${other.name} beside it`, async (scene, stop) => {
   const aspect = cell.width / cell.height;
   const cells: Cell[] = [scene, other].map((one) => ({scene: one, orbit: framed(one, "three_quarter", aspect), label: one.name}));
-  show(await composed(cells, 2, `Drawing ${other.name} beside it`, stop), fileNameOf(scene.name, `and ${other.name}`, "png"));
+  show(await composeSheet(cells, 2, `Drawing ${other.name} beside it`, stop), fileNameOf(scene.name, `and ${other.name}`, "png"));
 });
 
 /** Draws all pictures before it records them, so that the film has no pauses. */

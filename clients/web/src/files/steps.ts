@@ -11,13 +11,13 @@ const stepOf = (one: unknown): Step => ({commands: isObject(one) && Array.isArra
 
 /** Returns the steps of a file: a recipe, one command or batch, an array of commands, or JSON lines as in the log. */
 export async function stepsOf(id: string, file: string, text: string, files: Documents): Promise<Step[]> {
-  let whole: unknown;
+  let parsed: unknown;
   try {
-    whole = JSON.parse(text);
+    parsed = JSON.parse(text);
   } catch {
     return text.split("\n").filter((line) => line.trim()).map((line) => stepOf(JSON.parse(line)));
   }
-  if (Array.isArray(whole)) return whole.map(stepOf);
-  if (isObject(whole) && !("op" in whole) && !("commands" in whole)) return expandRecipe(id, {file, recipe: whole, files});
-  return [stepOf(whole)];
+  if (Array.isArray(parsed)) return parsed.map(stepOf);
+  if (isObject(parsed) && !("op" in parsed) && !("commands" in parsed)) return expandRecipe(id, {file, recipe: parsed, files});
+  return [stepOf(parsed)];
 }

@@ -3,7 +3,7 @@
 /** File extensions of pictures that can be skin textures. */
 export const skin_endings = /\.(png|jpe?g|webp|bmp|gif)$/i;
 
-export interface Taken { path: string; file: File }
+export interface InputFile { path: string; file: File }
 
 const max_files = 4000;
 
@@ -17,35 +17,35 @@ const readAll = (reader: FileSystemDirectoryReader): Promise<FileSystemEntry[]> 
   next();
 });
 
-async function walk(entry: FileSystemEntry, found: Taken[]) {
+async function collectFiles(entry: FileSystemEntry, found: InputFile[]) {
   if (found.length >= max_files) return;
   if (entry.isFile) {
     const file = await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed));
     found.push({path: entry.fullPath.replace(/^\//, ""), file});
     return;
   }
-  for (const inner of await readAll((entry as FileSystemDirectoryEntry).createReader())) await walk(inner, found);
+  for (const inner of await readAll((entry as FileSystemDirectoryEntry).createReader())) await collectFiles(inner, found);
 }
 
 /** Returns the dropped files. Call it inside the drop handler, because the browser empties `data` afterwards. */
-export function takeDropped(data: DataTransfer): Promise<Taken[]> {
+export function takeDropped(data: DataTransfer): Promise<InputFile[]> {
   const entries = [...data.items].map((item) => item.webkitGetAsEntry()).filter((entry) => entry !== null);
   const plain = [...data.files].map((file) => ({path: file.name, file}));
   if (entries.length === 0) return Promise.resolve(plain);
   return (async () => {
-    const found: Taken[] = [];
-    for (const entry of entries) await walk(entry, found);
+    const found: InputFile[] = [];
+    for (const entry of entries) await collectFiles(entry, found);
     return found;
   })();
 }
 
-export const takeChosen = (files: FileList): Taken[] => [...files].map((file) => ({path: file.webkitRelativePath || file.name, file}));
+export const takeChosen = (files: FileList): InputFile[] => [...files].map((file) => ({path: file.webkitRelativePath || file.name, file}));
 
 export const endingOf = (path: string) => /\.([^./]+)$/.exec(path)?.[1]?.toLowerCase() ?? "";
 export const baseOf = (path: string) => path.replaceAll("\\", "/").split("/").pop()!;
 export const folderOf = (path: string) => path.slice(0, path.lastIndexOf("/") + 1);
 
-function tidy(path: string): string {
+function normalizedPath(path: string): string {
   const parts: string[] = [];
   for (const part of path.replaceAll("\\", "/").split("/")) {
     if (part === "..") parts.pop();
@@ -55,7 +55,7 @@ function tidy(path: string): string {
 }
 
 /** Finds the file that `from` references as `name`: by its path, else by its file name alone, ignoring case. */
-export function findNamed(all: Taken[], from: string, name: string): Taken | undefined {
-  const wanted = tidy(folderOf(from) + name);
-  return all.find(({path}) => tidy(path) === wanted) ?? all.find(({path}) => baseOf(path).toLowerCase() === baseOf(name).toLowerCase());
+export function findNamed(all: InputFile[], from: string, name: string): InputFile | undefined {
+  const wanted = normalizedPath(folderOf(from) + name);
+  return all.find(({path}) => normalizedPath(path) === wanted) ?? all.find(({path}) => baseOf(path).toLowerCase() === baseOf(name).toLowerCase());
 }

@@ -1,6 +1,6 @@
 // Finds the picture that an OBJ's materials reference and converts it to what the server takes: one PNG or JPEG of at most
 // 4096 x 4096 pixels.
-import {baseOf, findNamed, skin_endings, type Taken} from "./take";
+import {baseOf, findNamed, skin_endings, type InputFile} from "./take";
 
 export interface Texture { picture: Blob | null; notes: string[] }
 
@@ -32,10 +32,10 @@ export async function fitting(file: File): Promise<{picture: Blob | null; note: 
   return {picture: await canvas.convertToBlob({type: "image/png"}), note};
 }
 
-async function namesOf(model: Taken, all: Taken[], notes: string[]): Promise<[string, Taken][]> {
+async function namesOf(model: InputFile, all: InputFile[], notes: string[]): Promise<[string, InputFile][]> {
   const head = await model.file.slice(0, head_bytes).text();
   const libraries = [...head.matchAll(/^\s*mtllib\s+(.*\S)/gim)].map((match) => match[1]!);
-  const found: [string, Taken][] = [];
+  const found: [string, InputFile][] = [];
   for (const library of libraries) {
     const mtl = findNamed(all, model.path, library);
     if (!mtl) { notes.push(`${baseOf(library)} was not dropped with it: for its colours drop the whole folder.`); continue; }
@@ -45,7 +45,7 @@ async function namesOf(model: Taken, all: Taken[], notes: string[]): Promise<[st
 }
 
 /** Returns the only dropped picture, for a model whose materials reference none or were not dropped. */
-async function lonePicture(all: Taken[], notes: string[]): Promise<Texture> {
+async function onlyPicture(all: InputFile[], notes: string[]): Promise<Texture> {
   const pictures = all.filter(({path}) => skin_endings.test(path));
   if (pictures.length > 1) notes.push(`${pictures.length} pictures came with it, and no material names one: drop the one for its skin on the model afterwards.`);
   if (pictures.length !== 1) return {picture: null, notes};
@@ -54,10 +54,10 @@ async function lonePicture(all: Taken[], notes: string[]): Promise<Texture> {
 }
 
 /** Returns the first referenced picture that is there; the server takes one picture for each model. */
-export async function textureOf(model: Taken, all: Taken[]): Promise<Texture> {
+export async function textureOf(model: InputFile, all: InputFile[]): Promise<Texture> {
   const notes: string[] = [];
   const names = await namesOf(model, all, notes);
-  if (names.length === 0) return lonePicture(all, notes);
+  if (names.length === 0) return onlyPicture(all, notes);
   const files = names.map(([name, mtl]) => findNamed(all, mtl.path, name));
   const missing = names.filter((_, k) => !files[k]).map(([name]) => baseOf(name));
   if (missing.length) notes.push(`Not there: ${missing.join(", ")}.`);

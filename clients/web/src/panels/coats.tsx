@@ -7,7 +7,7 @@ import {Icon} from "../tools/icons";
 
 type Coat = Settings["coats"][number];
 type Region = "all" | "none" | "mask";
-const most = 8;
+const max_coats = 8;
 const regions: {region: Region; words: string}[] = [
   {region: "mask", words: "Where the mask is"}, {region: "none", words: "Nowhere yet: paint its density"}, {region: "all", words: "Everywhere"},
 ];
@@ -89,7 +89,7 @@ export function Coats() {
       <select class="wide" aria-label="Where a new coat grows" value={region.value} onChange={(event) => { region.value = event.currentTarget.value as Region; }}>
         {regions.map((one) => <option key={one.region} value={one.region}>{one.words}</option>)}
       </select>
-      <button type="button" class="wide" disabled={all.length >= most} onClick={() => inTurn(() => add(region.value))}><Icon sign="plus" />Add a coat</button>
+      <button type="button" class="wide" disabled={all.length >= max_coats} onClick={() => inTurn(() => add(region.value))}><Icon sign="plus" />Add a coat</button>
     </>
   );
 }

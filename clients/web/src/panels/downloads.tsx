@@ -1,7 +1,7 @@
 // The panel for downloads: pictures, maps and steps.
 import {signal} from "@preact/signals";
 import {useId} from "preact/hooks";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import {downloadLog, downloadMap, downloadPicture, downloadRecipe, making, pixelsOf, sizes, type Size} from "../files/download";
 import {beforeAndAfter, contactSheet, turntable} from "../files/sheets";
 import {scene} from "../scene/session";
@@ -9,8 +9,8 @@ import {Form} from "../tools/form";
 import {membersOf, schemas} from "../tools/schema";
 import type {Values} from "../tools/state";
 
-const size = kept<Size>("picture-size", "1x");
-const transparent = kept("picture-transparent", false);
+const size = storedSignal<Size>("picture-size", "1x");
+const transparent = storedSignal("picture-transparent", false);
 const map = signal<Values>({field: "length"});
 
 function Progress() {

@@ -1,7 +1,7 @@
 // The eyes panel: a press on the model places eyes, in pairs. Their handles are in the picture while this panel is open.
 import {useEffect} from "preact/hooks";
 import type {Command, Vector} from "../api/types";
-import {alike, inTheMiddle, pairSymmetry, partnerOf, sunk, type Eye} from "../scene/eyes";
+import {edit_all_eyes, isOnMirrorPlane, pairSymmetry, partnerOf, sunk_share, type Eye} from "../scene/eyes";
 import {eyes} from "../scene/live_setting";
 import {run, scene} from "../scene/session";
 import {Form} from "../tools/form";
@@ -11,7 +11,7 @@ import {chosen_eye, shows_eyes} from "../view/gizmos";
 import {imagesOnSkin} from "../view/mirror";
 import type {Hit} from "../view/proxy";
 import {scale, subtract, unit} from "../view/vector";
-import {place_request, proxy} from "../view/surface";
+import {pending_pick, proxy} from "../view/surface";
 
 const bare_radii = 1.7;      // radius of the furless skin around an eye, in radii of the eye
 const first_radius = 0.02;   // radius of the first eye, in sizes; same as a new creature's
@@ -25,7 +25,7 @@ function eyeAt(hit: Hit, like: Eye | undefined): Eye {
   const radius = like?.radius ?? first_radius;
   const {look_at: _, ...rest} = like ?? {lids: {}} as Partial<Eye>;
   const lids = rest.lids ? {...rest.lids, facing: hit.normal} : undefined;
-  return {...rest, ...(lids ? {lids} : {}), radius, gaze: hit.normal, position: subtract(hit.point, scale(hit.normal, sunk * radius * (scene.value?.size ?? 1)))};
+  return {...rest, ...(lids ? {lids} : {}), radius, gaze: hit.normal, position: subtract(hit.point, scale(hit.normal, sunk_share * radius * (scene.value?.size ?? 1)))};
 }
 
 /** Returns the command that removes fur around an eye, as far as its lids reach. */
@@ -35,9 +35,9 @@ function clearing(eye: Eye): Command {
 }
 
 function place(now: Eye[], took: (index: number) => void) {
-  place_request.value = {says: "Press where the eye is to be; one on the side gets its pair.", take: (hit) => {
+  pending_pick.value = {says: "Press where the eye is to be; one on the side gets its pair.", take: (hit) => {
     const like = now[now.length - 1];
-    const alone = inTheMiddle(hit.point, (like?.radius ?? first_radius) * (scene.value?.size ?? 1));
+    const alone = isOnMirrorPlane(hit.point, (like?.radius ?? first_radius) * (scene.value?.size ?? 1));
     const pair = proxy.value && !alone ? imagesOnSkin(hit, pairSymmetry(), proxy.value) : [];
     const placed = [hit, ...pair].map((one) => eyeAt(one, like)).slice(0, maxEyes() - now.length);
     took(now.length);
@@ -54,7 +54,7 @@ function changed(now: Eye[], index: number, name: string, value: unknown): Eye[]
       const looks = name === "gaze" ? {} : name === "look_at" ? {} : {...(gaze ? {gaze} : {}), ...(look_at ? {look_at} : {})};
       return {...rest, ...looks, [name]: value} as Eye;
     }
-    if (!alike.value || own.includes(name)) return eye;
+    if (!edit_all_eyes.value || own.includes(name)) return eye;
     if (name !== "lids" || !eye.lids || !value) return {...eye, [name]: value} as Eye;
     const {facing, tilt_degrees} = eye.lids;
     return {...eye, lids: {...value, ...(facing ? {facing} : {}), ...(tilt_degrees === undefined ? {} : {tilt_degrees})}};
@@ -68,7 +68,7 @@ function OneEye({now, index}: {now: Eye[]; index: number}) {
   const members = membersOf(schemas.value["Eye"] ?? {}).map((member) => (member.name === "radius" ? {...member, schema: {...member.schema, minimum: 0.002, maximum: 0.2}} : member));
   const hidden = new Set([eye.look_at ? "gaze" : "look_at", ...(eye.lids ? [] : ["lids"])]);
   const camera = () => pinholeOf(orbit.value).position;
-  const lids = (on: boolean) => eyes.set(now.map((one, k) => (k !== index && !alike.value ? one : on ? {...one, lids: {}} : without(one))), true);
+  const lids = (on: boolean) => eyes.set(now.map((one, k) => (k !== index && !edit_all_eyes.value ? one : on ? {...one, lids: {}} : without(one))), true);
   return (
     <div class="eye">
       <div class="buttons">
@@ -85,7 +85,7 @@ export function Eyes() {
   const chosen = chosen_eye;
   useEffect(() => {
     shows_eyes.value = true;
-    return () => { place_request.value = null; shows_eyes.value = false; };
+    return () => { pending_pick.value = null; shows_eyes.value = false; };
   }, []);
   const now = eyes.value.value;
   if (!now) return null;
@@ -96,8 +96,8 @@ export function Eyes() {
       <div class="chips presets" role="group" aria-label="Eyes">
         {now.map((_, k) => <button key={k} type="button" class="chip" aria-pressed={k === index} onClick={() => { chosen.value = k; }}>Eye {k + 1}</button>)}
       </div>
-      {now.length > 1 && <label class="check"><input type="checkbox" checked={alike.value} onChange={(event) => { alike.value = event.currentTarget.checked; }} /> All eyes alike</label>}
-      <button type="button" aria-pressed={place_request.value !== null} disabled={now.length >= maxEyes()} onClick={() => { if (place_request.value) place_request.value = null; else place(now, (k) => { chosen.value = k; }); }}>Place an eye</button>
+      {now.length > 1 && <label class="check"><input type="checkbox" checked={edit_all_eyes.value} onChange={(event) => { edit_all_eyes.value = event.currentTarget.checked; }} /> All eyes alike</label>}
+      <button type="button" aria-pressed={pending_pick.value !== null} disabled={now.length >= maxEyes()} onClick={() => { if (pending_pick.value) pending_pick.value = null; else place(now, (k) => { chosen.value = k; }); }}>Place an eye</button>
       {index >= 0 && <details class="group"><summary>Eye {index + 1}</summary><OneEye now={now} index={index} /></details>}
     </section>
   );

@@ -1,6 +1,6 @@
 // The history panel: all steps of the log, newest first. A press on a step goes there; the button beside it shows details.
 import {signal} from "@preact/signals";
-import {kept, author} from "../api/identity";
+import {storedSignal, author} from "../api/identity";
 import {log_read, scene, settings} from "../scene/session";
 import {checkpoints, commandsIn, first_revision, present, steps, touchedBy, type Step} from "../scene/steps";
 import {layerOf, shareOfFur, stepWords} from "../scene/step_words";
@@ -16,7 +16,7 @@ interface Row { step: Step; replays: Step[]; inner: boolean }
 
 const window_size = 200;
 const shown_rows = signal(window_size);
-const only_in_effect = kept("history-in-effect", false);
+const only_in_effect = storedSignal("history-in-effect", false);
 /** Revision of the step whose detail is open. */
 const opened = signal<number | null>(null);
 /** Amendments, by first revision, that the user folded (false) or unfolded (true). */

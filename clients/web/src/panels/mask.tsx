@@ -1,6 +1,6 @@
 // The mask panel. The mask says where tools work: 1 is editable, 0 is protected.
 import {computed, effect} from "@preact/signals";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {Command} from "../api/types";
 import {run, scene} from "../scene/session";
 import {schemaOf} from "../tools/catalogue";
@@ -10,10 +10,10 @@ import {panel} from "../shell/places";
 import {forbidden, membersOf} from "../tools/schema";
 import {current, setValue, valuesOf} from "../tools/state";
 import {masked, overlay} from "../view/quality";
-import {place_request} from "../view/surface";
+import {pending_pick} from "../view/surface";
 
 /** Settings for growing and softening the mask's edge; the contract's defaults unless the user sets them. */
-const edge = kept<Record<string, unknown>>("mask-edge", {});
+const edge = storedSignal<Record<string, unknown>>("mask-edge", {});
 const edge_members = ["distance", "units", "passes"];
 
 export const toggleMasked = () => { masked.value = !masked.value; };
@@ -53,7 +53,7 @@ function select(shape: Record<string, unknown>) {
 
 /** Lets the next press on the model choose the part that tools work on. */
 function choosePart() {
-  place_request.value = {says: "Press on the part that tools may change; all others are protected.", take: ({point}) => select({part: {position: point}})};
+  pending_pick.value = {says: "Press on the part that tools may change; all others are protected.", take: ({point}) => select({part: {position: point}})};
 }
 
 /** A menu of the model's materials; tools then work on the chosen one. */

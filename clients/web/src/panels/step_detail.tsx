@@ -7,7 +7,7 @@ import type {Comparison} from "../api/types";
 import {copyText, copy_forms, type CopyForm} from "../scene/copy_as";
 import {say, sayError} from "../scene/messages";
 import {listScenes, openScene, revision, scene} from "../scene/session";
-import {present, wholeCommands, type Step} from "../scene/steps";
+import {present, fullCommands, type Step} from "../scene/steps";
 import {stepWords, vertices} from "../scene/step_words";
 import {compared} from "../view/compared";
 import {NameCheckpoint} from "./checkpoints";
@@ -30,7 +30,7 @@ async function branchAt(step: Step) {
 function copyStep(form: CopyForm, label: string, step: Step) {
   const open = scene.value;
   if (!open) return;
-  const text = copyText(form, {commands: wholeCommands(step), scene: open, origin: location.origin, needs_token: token.value !== ""});
+  const text = copyText(form, {commands: fullCommands(step), scene: open, origin: location.origin, needs_token: token.value !== ""});
   void copyToClipboard(text, `this step as ${label}`);
 }
 

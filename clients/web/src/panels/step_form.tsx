@@ -4,7 +4,7 @@ import {tryAmend} from "../api/client";
 import type {Command, CommandAnswer} from "../api/types";
 import {say, sayError} from "../scene/messages";
 import {change, scene} from "../scene/session";
-import {commandsIn, steps, touchedBy, wholeCommands, type Step} from "../scene/steps";
+import {commandsIn, steps, touchedBy, fullCommands, type Step} from "../scene/steps";
 import {amount, commandWords, stepWords, vertices} from "../scene/step_words";
 import {alternatives, forbidden, membersOf, type Member} from "../tools/schema";
 import {brush_members, schemaOf} from "../tools/catalogue";
@@ -69,7 +69,7 @@ function CommandForm({command, set}: {command: Command; set: (command: Command) 
 }
 
 export function StepForm({step, close}: {step: Step; close: () => void}) {
-  const logged = wholeCommands(step);
+  const logged = fullCommands(step);
   const commands = useSignal(logged);
   const chosen = useSignal(0);
   const tried = useSignal<string[] | null>(null);

@@ -5,8 +5,8 @@ import type {Command, Settings} from "../api/types";
 import {coats, groomed_coat, scene, settings} from "./session";
 import {commit, endTrial, tryOut} from "./trial";
 
-const key_press = 12;   // ms; a slider that moves and is released within this time was moved by a key
-const settle = 400;     // ms after the last key press until the command is sent
+const max_key_press_ms = 12;  // ms; a slider that moves and is released within this time was moved by a key
+const key_settle_ms = 400;    // ms after the last key press until the command is sent
 
 const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
 
@@ -19,7 +19,7 @@ export interface LiveSetting<T> {
 
 export function liveSetting<T>(read: (all: Settings) => T, command: (value: T) => Command): LiveSetting<T> {
   const draft = signal<{scene: string; value: T} | null>(null);
-  let since = 0, timer = 0, sending = false, again = false;
+  let drag_start = 0, timer = 0, sending = false, again = false;
 
   const stored = () => (settings.value ? read(settings.value) : null);
   const value = computed(() => (draft.value && draft.value.scene === scene.value?.id ? draft.value.value : stored()));
@@ -43,12 +43,12 @@ export function liveSetting<T>(read: (all: Settings) => T, command: (value: T) =
     draft.value = {scene: scene.value.id, value: next};
     clearTimeout(timer);
     if (!done) {
-      since ||= performance.now();
+      drag_start ||= performance.now();
       return tryOut(command(next));
     }
-    const by_key = since > 0 && performance.now() - since < key_press;
-    since = 0;
-    if (by_key) timer = window.setTimeout(() => void send(), settle);
+    const by_key = drag_start > 0 && performance.now() - drag_start < max_key_press_ms;
+    drag_start = 0;
+    if (by_key) timer = window.setTimeout(() => void send(), key_settle_ms);
     else void send();
   }
   return {value, set};

@@ -1,15 +1,15 @@
 // Applies the server's events to the page's state of the scene, and shows messages about other users' changes.
 import {effect} from "@preact/signals";
-import {hearEvents, type ServerEvent} from "../api/events";
+import {followEvents, type ServerEvent} from "../api/events";
 import {author} from "../api/identity";
 import {unsent} from "../api/outbox";
 import type {ChangeEvent, SceneEvent} from "../api/types";
 import {words} from "../tools/schema";
 import {say} from "./messages";
-import {hear, isOwn, listScenes, openScene, scene} from "./session";
+import {onServerRevision, isOwn, listScenes, openScene, scene} from "./session";
 
 
-function heard(id: string, event: ServerEvent) {
+function handleEvent(id: string, event: ServerEvent) {
   if (scene.value?.id !== id) return;
   if (event.name === "removed") {
     say("This scene was removed.", "Choose another one under Files.", "error");
@@ -19,7 +19,7 @@ function heard(id: string, event: ServerEvent) {
   if (event.name === "scene") {
     const opened = JSON.parse(event.data) as SceneEvent;
     if (scene.value.model_id !== opened.model_id) return void openScene(id);
-    return hear(opened.revision);
+    return onServerRevision(opened.revision);
   }
   if (event.name === "change") changed(JSON.parse(event.data) as ChangeEvent);
 }
@@ -30,7 +30,7 @@ function changed(change: ChangeEvent) {
   if (change.author !== author.value && change.kind !== "join") {
     say(`${change.author || "Somebody"}: ${change.ops.map(words).join(", ") || change.kind}`);
   }
-  hear(change.revision);
+  onServerRevision(change.revision);
 }
 
 /** Follows the events of whichever scene is open. */
@@ -44,6 +44,6 @@ export function followNews(): () => void {
     stop?.abort();
     if (!open) return;
     stop = new AbortController();
-    void hearEvents(open, (event) => heard(open, event), stop.signal);
+    void followEvents(open, (event) => handleEvent(open, event), stop.signal);
   });
 }

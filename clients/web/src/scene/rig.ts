@@ -7,21 +7,21 @@ export type Light = Settings["lights"][number];
 export const rig_names = ["Key", "Fill", "Rim"] as const;
 export const max_intensity = 3;
 
-const three: Light[] = [
+const default_rig: Light[] = [
   {kind: "directional", direction: [-0.55, -0.75, -0.45], intensity: 1.15, colour: "#fff9f0", cast_shadow: "penumbra"},
   {kind: "directional", direction: [0.8, -0.25, -0.5], intensity: 0.35, colour: "#e7f1ff", cast_shadow: "none"},
   {kind: "directional", direction: [0.25, -0.45, 0.85], intensity: 0.6, cast_shadow: "penumbra"},
 ];
 
 /** Returns true if there are at least three lights, so that the first three are the rig. */
-export const isRig = (lights: readonly Light[]) => lights.length >= three.length;
+export const isRig = (lights: readonly Light[]) => lights.length >= default_rig.length;
 /** Adds default lights up to three. */
-export const withRig = (lights: readonly Light[]): Light[] => three.map((light, k) => lights[k] ?? light);
+export const withRig = (lights: readonly Light[]): Light[] => default_rig.map((light, k) => lights[k] ?? light);
 
 export const intensityOf = (lights: readonly Light[], k: number) => Number(lights[k]?.intensity ?? 1);
 export const withIntensity = (lights: readonly Light[], k: number, intensity: number): Light[] => lights.map((light, j) => (j === k ? {...light, intensity} : light));
 
-const turnedAbout = ([x, y, z]: Vector, angle: number): Vector => [x * Math.cos(angle) + z * Math.sin(angle), y, z * Math.cos(angle) - x * Math.sin(angle)];
+const rotatedAboutY = ([x, y, z]: Vector, angle: number): Vector => [x * Math.cos(angle) + z * Math.sin(angle), y, z * Math.cos(angle) - x * Math.sin(angle)];
 
 /** Returns the azimuth from which the key light comes, in degrees around the model, 0 at its front. */
 export function turnOf(lights: readonly Light[]): number {
@@ -32,5 +32,5 @@ export function turnOf(lights: readonly Light[]): number {
 /** Turns all directional lights together, so that the key light comes from the azimuth `degrees`. */
 export function withTurn(lights: readonly Light[], degrees: number): Light[] {
   const angle = ((degrees - turnOf(lights)) * Math.PI) / 180;
-  return lights.map((light) => ((light.kind ?? "directional") === "directional" ? {...light, direction: turnedAbout((light.direction ?? [0, -1, 0]) as Vector, angle)} : light));
+  return lights.map((light) => ((light.kind ?? "directional") === "directional" ? {...light, direction: rotatedAboutY((light.direction ?? [0, -1, 0]) as Vector, angle)} : light));
 }

@@ -2,7 +2,7 @@
 import {batch, computed, signal} from "@preact/signals";
 import * as api from "../api/client";
 import {send} from "../api/outbox";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {Command, CommandAnswer, EditLayer, LogEntry, Scene, Settings} from "../api/types";
 import {sayError} from "./messages";
 import {isScratch} from "./scratch";
@@ -23,7 +23,7 @@ export const revision = signal(0);
 export const model_id = computed(() => scene.value?.model_id ?? "");
 /** Identifies a scene with its model; pictures and revisions are valid only for one value. */
 export const shown_model = computed(() => (scene.value ? `${scene.value.id} ${scene.value.model_id}` : ""));
-export const last_scene = kept("last-scene", "");
+export const last_scene = storedSignal("last-scene", "");
 export const edit_layer = signal("");  // name of the layer that tools write to; "" for the base groom
 export const groomed_coat = signal("");  // name of the coat that tools work on; "" for all
 
@@ -133,7 +133,7 @@ const news_pause = 200;  // ms without events before a refresh; another user's s
 let news_timer = 0;
 
 /** Handles a revision that the server announced and that this page may not know. */
-export function hear(news: number) {
+export function onServerRevision(news: number) {
   if (news < (scene.value?.revision ?? 0)) return;
   revision.value = Math.max(revision.value, news);
   clearTimeout(news_timer);

@@ -21,7 +21,7 @@ export function commandsIn(entry: LogEntry): Command[] {
   return "commands" in logged ? (logged.commands as Command[]) : [logged];
 }
 
-function begun(entry: LogEntry, kind: Step["kind"]): Step {
+function startStep(entry: LogEntry, kind: Step["kind"]): Step {
   const {revision: first, in_effect, author} = entry;
   return {kind, before: first - 1, first, last: first, entries: [entry], in_effect, author};
 }
@@ -36,7 +36,7 @@ export function stepsOf(entries: LogEntry[]): Step[] {
       newest.entries.push(entry);
       newest.last = entry.revision;
     } else if (kind === "do" || kind === "replay" || kind === "revert") {
-      steps.push(begun(entry, kind));
+      steps.push(startStep(entry, kind));
     }
   }
   return steps;
@@ -51,7 +51,7 @@ export const present = computed(() => steps.value.filter((step) => step.in_effec
 const is_stroke = (value: unknown): value is {samples: unknown[]} => typeof value === "object" && value !== null && "samples" in value;
 
 /** Returns a command without the members that identify a part of a stroke. */
-function whole(command: Command): Command {
+function withoutPartIds(command: Command): Command {
   const stroke = command["stroke"];
   if (!is_stroke(stroke)) return command;
   const {id: _id, part: _part, last: _last, ...rest} = stroke as unknown as Record<string, unknown>;
@@ -60,9 +60,9 @@ function whole(command: Command): Command {
 
 /** Returns a step's commands with the parts of a stroke joined: the parts have the same settings, so that concatenating
  * their samples gives the whole stroke. */
-export function wholeCommands(step: Step): Command[] {
+export function fullCommands(step: Step): Command[] {
   const [first, ...joined] = step.entries.map(commandsIn);
-  const commands = (first ?? []).map(whole);
+  const commands = (first ?? []).map(withoutPartIds);
   const stroke = commands[0]?.["stroke"];
   if (joined.length === 0 || !is_stroke(stroke)) return commands;
   const samples = [...stroke.samples];

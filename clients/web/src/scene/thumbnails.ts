@@ -2,16 +2,16 @@
 // one. Both are stored in this browser.
 import {signal} from "@preact/signals";
 import {drawFrame} from "../api/client";
-import {kept, page_id} from "../api/identity";
+import {storedSignal, page_id} from "../api/identity";
 import {scenes} from "./session";
 
 /** Data URLs by scene id. */
-export const thumbnails = kept<Record<string, string>>("thumbnails", {});
+export const thumbnails = storedSignal<Record<string, string>>("thumbnails", {});
 /** The last picture seen, large enough to fill a window for a moment. */
-export const last_picture = kept<{scene: string; address: string} | null>("last-picture", null);
+export const last_picture = storedSignal<{scene: string; address: string} | null>("last-picture", null);
 
 const small = {width: 128, height: 96}, large_width = 720;
-const max_kept = 60;
+const max_thumbnails = 60;
 
 /** Crops the middle of a picture to the aspect ratio of width and height and scales it; returns a data URL. */
 function reduced(picture: HTMLCanvasElement, width: number, height: number): string {
@@ -25,7 +25,7 @@ function reduced(picture: HTMLCanvasElement, width: number, height: number): str
 
 function put(scene: string, address: string) {
   const all = Object.entries({...thumbnails.value, [scene]: address});
-  thumbnails.value = Object.fromEntries(all.slice(-max_kept));
+  thumbnails.value = Object.fromEntries(all.slice(-max_thumbnails));
 }
 
 /** Stores the picture on the screen as its scene's thumbnail and as the last picture. */
@@ -36,7 +36,7 @@ export function keepPicture(scene: string, picture: HTMLCanvasElement) {
   last_picture.value = {scene, address: reduced(picture, large_width, height)};
 }
 
-const asked = new Set<string>();
+const requested = new Set<string>();
 const busy = signal(false);
 
 /** Draws the missing thumbnails on the server, one after the other. */
@@ -45,8 +45,8 @@ export async function drawMissing() {
   busy.value = true;
   try {
     for (const {id} of scenes.value) {
-      if (thumbnails.value[id] || asked.has(id)) continue;
-      asked.add(id);
+      if (thumbnails.value[id] || requested.has(id)) continue;
+      requested.add(id);
       const picture = await drawFrame(id, {...small, quality: "draft", format: "jpeg", camera: {auto: "three_quarter"}, view: `${page_id}-list`}, null).catch(() => null);
       if (picture) put(id, await addressOf(picture.bytes));
     }

@@ -5,40 +5,40 @@ import {log, redo, revertTo, revision, scene, undo} from "./session";
 import {first_revision, present, steps, type Step} from "./steps";
 
 export type Route = {by: "undo" | "redo"; steps: number} | {by: "revert"} | null;
-interface Past { entries: LogEntry[]; steps: Step[]; undo_steps: number; redo_steps: number }
+interface HistoryState { entries: LogEntry[]; steps: Step[]; undo_steps: number; redo_steps: number }
 
 /** Returns how many undos lead to revision `to`, which is in effect or the first; 0 if undo does not lead there. */
-function undosTo(to: number, past: Past): number {
-  const later = past.steps.filter((step) => step.in_effect && step.first > to);
+function undosTo(to: number, history: HistoryState): number {
+  const later = history.steps.filter((step) => step.in_effect && step.first > to);
   const oldest = later[0];
   // A revert among them is an undo step of its own, and undoing it leads elsewhere.
-  if (!oldest || later.some((step) => step.kind !== "do") || past.steps.some((step) => step.kind === "revert" && step.first > oldest.first)) return 0;
-  return later.length <= past.undo_steps ? later.length : 0;
+  if (!oldest || later.some((step) => step.kind !== "do") || history.steps.some((step) => step.kind === "revert" && step.first > oldest.first)) return 0;
+  return later.length <= history.undo_steps ? later.length : 0;
 }
 
 /** Returns how many redos lead to revision `to`; 0 if redo does not lead there or the log does not tell. */
-function redosTo(to: number, past: Past): number {
-  if (past.redo_steps === 0) return 0;
+function redosTo(to: number, history: HistoryState): number {
+  if (history.redo_steps === 0) return 0;
   const moves = (entry: LogEntry | undefined) => entry?.kind === "undo" || entry?.kind === "redo";
-  let end = past.entries.length;
-  while (moves(past.entries[end - 1])) --end;
+  let end = history.entries.length;
+  while (moves(history.entries[end - 1])) --end;
   let begin = end;
-  while (begin > 0 && !moves(past.entries[begin - 1])) --begin;
-  const from = past.entries[begin]?.revision ?? Infinity;
-  const until = past.entries[end - 1]?.revision ?? 0;
+  while (begin > 0 && !moves(history.entries[begin - 1])) --begin;
+  const from = history.entries[begin]?.revision ?? Infinity;
+  const until = history.entries[end - 1]?.revision ?? 0;
   // The steps before the latest undos and redos. An amendment and its replayed steps are one undo step.
-  const undone = past.steps.filter((step) => step.first >= from && step.last <= until && step.kind !== "replay");
+  const undone = history.steps.filter((step) => step.first >= from && step.last <= until && step.kind !== "replay");
   const newer = undone.filter((step) => step.first > to).length;
-  const there = undone.some((step) => step.last === to && past.steps[past.steps.indexOf(step) + 1]?.kind !== "replay");
-  return there && newer < past.redo_steps ? past.redo_steps - newer : 0;
+  const there = undone.some((step) => step.last === to && history.steps[history.steps.indexOf(step) + 1]?.kind !== "replay");
+  return there && newer < history.redo_steps ? history.redo_steps - newer : 0;
 }
 
 /** Returns how to go to the state at a revision; null if the scene is there already. */
-export function routeTo(to: number, here: number, in_effect: boolean, past: Past): Route {
+export function routeTo(to: number, here: number, in_effect: boolean, history: HistoryState): Route {
   if (to === here) return null;
-  const undos = in_effect ? undosTo(to, past) : 0;
+  const undos = in_effect ? undosTo(to, history) : 0;
   if (undos) return {by: "undo", steps: undos};
-  const redos = in_effect ? 0 : redosTo(to, past);
+  const redos = in_effect ? 0 : redosTo(to, history);
   return redos ? {by: "redo", steps: redos} : {by: "revert"};
 }
 

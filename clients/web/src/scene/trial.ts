@@ -10,9 +10,9 @@ import {revision, run, scene} from "./session";
 /** The copy to draw in place of the scene; null while nothing is tried. */
 export const trial = signal<{scene: string; revision: number; of: string} | null>(null);
 
-const pause = 60;           // ms between two commands
-const keep = 15000;         // ms that an unused copy is kept for the next preview
-const remove_after = 8000;  // ms until a dropped copy is removed, so that its last pictures can be drawn
+const command_interval = 60;  // ms between two commands
+const idle_timeout = 15000;   // ms that an unused copy is kept for the next preview
+const removal_delay = 8000;   // ms until a dropped copy is removed, so that its last pictures can be drawn
 
 let serial = 0;
 
@@ -40,8 +40,8 @@ class Copy {
       for (let command = this.waiting; command; command = this.waiting) {
         this.waiting = null;
         const answer = await api.change(id, "commands", command, `${page_id}-trial-${++serial}`);
-        if (trying && open === this) trial.value = {scene: id, revision: answer.revision, of: this.of};
-        await new Promise((wake) => setTimeout(wake, pause));
+        if (trying && current === this) trial.value = {scene: id, revision: answer.revision, of: this.of};
+        await new Promise((wake) => setTimeout(wake, command_interval));
       }
     } catch {
       // the error appears when the command is sent to the scene
@@ -66,17 +66,17 @@ class Copy {
   }
 }
 
-let open: Copy | null = null;
+let current: Copy | null = null;
 let trying = false;
 let timer = 0;
-const leaving = new Set<Copy>();
+const removing = new Set<Copy>();
 
 function drop() {
-  const left = open;
-  open = null;
+  const left = current;
+  current = null;
   if (!left) return;
-  leaving.add(left);
-  setTimeout(() => void left.remove().then(() => leaving.delete(left)), remove_after);
+  removing.add(left);
+  setTimeout(() => void left.remove().then(() => removing.delete(left)), removal_delay);
 }
 
 /** Removes the copies that crashed pages left. */
@@ -92,11 +92,11 @@ function begin(of: string): Copy {
 /** Previews a command in the copy. */
 export function tryOut(command: Command) {
   if (!scene.value) return;
-  if (open && (open.of !== scene.value.id || open.at !== revision.value)) drop();
-  open ??= begin(scene.value.id);
+  if (current && (current.of !== scene.value.id || current.at !== revision.value)) drop();
+  current ??= begin(scene.value.id);
   trying = true;
   clearTimeout(timer);
-  open.show(command);
+  current.show(command);
 }
 
 /** Ends the preview: pictures show the scene again. The copy is kept for a while. */
@@ -105,18 +105,18 @@ export function endTrial() {
   trying = false;
   trial.value = null;
   clearTimeout(timer);
-  timer = window.setTimeout(drop, keep);
+  timer = window.setTimeout(drop, idle_timeout);
 }
 
 /** Runs a command in the scene, as one step, and shows the scene again. */
 export async function commit(command: Command) {
   const answer = await run(command);
-  if (answer && open && open.at + 1 === answer.revision) open.follow(command, answer.revision);
+  if (answer && current && current.at + 1 === answer.revision) current.follow(command, answer.revision);
   endTrial();
 }
 
 addEventListener("pagehide", () => {
-  for (const copy of [...leaving, ...(open ? [open] : [])]) copy.removeNow();
-  leaving.clear();
-  open = null;
+  for (const copy of [...removing, ...(current ? [current] : [])]) copy.removeNow();
+  removing.clear();
+  current = null;
 });

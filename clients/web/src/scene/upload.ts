@@ -23,8 +23,8 @@ async function putSkin(id: string, file: File) {
 /** Uploads an environment; its intensity and turn stay as they were. */
 async function putEnvironment(id: string, file: File) {
   const {intensity, turn_degrees} = settings.value?.environment ?? {};
-  const kept = Object.entries({intensity, turn_degrees}).flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${value}`]));
-  await put(id, `environment?${kept.join("&")}`, file);
+  const parameters = Object.entries({intensity, turn_degrees}).flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${value}`]));
+  await put(id, `environment?${parameters.join("&")}`, file);
   say(`${file.name} lights the model.`);
 }
 

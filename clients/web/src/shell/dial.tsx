@@ -1,7 +1,7 @@
 // The quality dial, from fast to accurate: the quality of pictures at rest, with its measured time and estimated error.
 import type {ComponentChildren} from "preact";
 import {useId, useRef} from "preact/hooks";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {Tier} from "../api/types";
 import {scene} from "../scene/session";
 import {NumberField, shownNumber} from "../tools/number_field";
@@ -11,8 +11,8 @@ import {dial, trace_at_rest} from "../view/quality";
 import {dial_pictures, drawDialPictures} from "./dial_pictures";
 import {dialog} from "./places";
 
-const budget_ms = kept("dial-budget", 500);
-const max_error = kept("dial-error", 0.05);
+const budget_ms = storedSignal("dial-budget", 500);
+const max_error = storedSignal("dial-error", 0.05);
 
 const tiers = ["draft", "interactive", "detailed", "reference"] as const;
 const says: Record<Stop, string> = {

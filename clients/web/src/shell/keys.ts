@@ -6,7 +6,7 @@ import {invertMask, toggleMask, toggleMasked} from "../panels/mask";
 import {tools} from "../tools/catalogue";
 import {adjusting} from "../view/adjust";
 import {closePie, openPie} from "../view/pie_menu";
-import {place_request} from "../view/surface";
+import {pending_pick} from "../view/surface";
 import {focus, moveTo} from "../view/views";
 import {dialog, panel} from "./places";
 
@@ -73,7 +73,7 @@ const presses = (target: EventTarget | null) => target instanceof HTMLElement &&
 function down(event: KeyboardEvent) {
   if (event.key === "Control" || event.key === "Meta") inverting.value = true;
   if (event.key === "Shift") smoothing.value = true;
-  if (event.key === "Escape") { dialog.value = null; place_request.value = null; }
+  if (event.key === "Escape") { dialog.value = null; pending_pick.value = null; }
   if (typing(event.target)) return;
   const holds = presses(event.target) && event.key === " " ? undefined : heldOf(event);
   if (holds) { event.preventDefault(); return holds.down(); }

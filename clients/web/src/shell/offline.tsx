@@ -1,11 +1,11 @@
 // The message while the server does not answer, and the warning before closing a page that would lose changes.
-import {keeps, offline, unsent} from "../api/outbox";
+import {storage_works, offline, unsent} from "../api/outbox";
 
 const counted = (count: number) => (count === 1 ? "1 change is" : `${count} changes are`);
 
 function wordsOf(count: number): string {
   if (count === 0) return "Nothing is lost.";
-  if (keeps.value) return `${counted(count)} kept in this browser and sent when it is back.`;
+  if (storage_works.value) return `${counted(count)} kept in this browser and sent when it is back.`;
   return `${counted(count)} waiting in this page: leave it open, since this browser's store takes no more.`;
 }
 
@@ -19,7 +19,7 @@ export function OfflineBanner() {
 
 /** Asks before the page is closed, if that would lose changes. */
 export function warnOfLoss(): () => void {
-  const ask = (event: BeforeUnloadEvent) => { if (unsent.value > 0 && !keeps.value) event.preventDefault(); };
+  const ask = (event: BeforeUnloadEvent) => { if (unsent.value > 0 && !storage_works.value) event.preventDefault(); };
   addEventListener("beforeunload", ask);
   return () => removeEventListener("beforeunload", ask);
 }

@@ -1,10 +1,10 @@
 // The welcome dialog of the first visit, which explains the controls, and the placeholder while no scene is open.
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import {makeSample, preparing, samples} from "../files/samples";
 import {scene} from "../scene/session";
 import {panel} from "./places";
 
-const welcomed = kept("welcomed", false);
+const welcomed = storedSignal("welcomed", false);
 
 const hints = [
   ["Drag on the fur", "combs it the way you move."],

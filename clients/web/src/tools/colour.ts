@@ -25,8 +25,8 @@ export interface Hsv { hue: number; saturation: number; brightness: number }
 export function toHsv(hex: string): Hsv {
   const [r, g, b] = [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) as [number, number, number];
   const high = Math.max(r, g, b), range = high - Math.min(r, g, b);
-  const turn = range === 0 ? 0 : high === r ? ((g - b) / range + 6) % 6 : high === g ? (b - r) / range + 2 : (r - g) / range + 4;
-  return {hue: turn / 6, saturation: high === 0 ? 0 : range / high, brightness: high};
+  const hue_sextant = range === 0 ? 0 : high === r ? ((g - b) / range + 6) % 6 : high === g ? (b - r) / range + 2 : (r - g) / range + 4;
+  return {hue: hue_sextant / 6, saturation: high === 0 ? 0 : range / high, brightness: high};
 }
 
 export function fromHsv({hue, saturation, brightness}: Hsv): string {

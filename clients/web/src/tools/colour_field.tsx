@@ -1,7 +1,7 @@
 // A colour picker: a wheel with a brightness slider, swatches, a text field, and an eyedropper that samples the fur.
 import {useEffect, useId, useRef} from "preact/hooks";
-import {kept} from "../api/identity";
-import {place_request} from "../view/surface";
+import {storedSignal} from "../api/identity";
+import {pending_pick} from "../view/surface";
 import {view} from "../view/viewport";
 import {fromHsv, toHex, toHsv, type Hsv} from "./colour";
 
@@ -9,7 +9,7 @@ interface Props { id: string; label: string; value: unknown; set: (value: string
 
 const side = 168;  // width of the wheel in CSS pixels
 /** Recent colours, newest first. */
-const swatches = kept<string[]>("swatches", ["#f2e6d8", "#c98a4b", "#8a4b22", "#4a2d1c", "#1d1512", "#e9b08a", "#9a9a9a", "#ffffff"]);
+const swatches = storedSignal<string[]>("swatches", ["#f2e6d8", "#c98a4b", "#8a4b22", "#4a2d1c", "#1d1512", "#e9b08a", "#9a9a9a", "#ffffff"]);
 const max_swatches = 16;
 
 function remember(colour: string) {
@@ -67,7 +67,7 @@ export function ColourField({id, label, value, set}: Props) {
   const change = (part: Partial<Hsv>, done: boolean) => take(fromHsv({...now, ...part}), done);
   const drop = () => {
     card.current!.hidePopover();
-    place_request.value = {says: "Press on the fur whose colour it is to be.", take: (_, pixel) => { const seen = view.value?.colourAt(...pixel); if (seen) take(seen, true); }};
+    pending_pick.value = {says: "Press on the fur whose colour it is to be.", take: (_, pixel) => { const seen = view.value?.colourAt(...pixel); if (seen) take(seen, true); }};
   };
   const typed = (event: Event & {currentTarget: HTMLInputElement}) => {
     const text = event.currentTarget.value.trim().replace(/^#?/, "#");

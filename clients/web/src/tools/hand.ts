@@ -29,7 +29,7 @@ const sampleOf = (event: PointerEvent, start: number): StrokeSample => ({
   time: Math.max(0, (event.timeStamp - start) / 1000),
 });
 
-const rope = 70;  // length at full steadiness, in pixels
+const max_rope_pixels = 70;  // length at full steadiness, in pixels
 
 /** Steadies strokes: the brush is pulled on a rope, so that movements shorter than the rope have no effect. */
 class SteadyHand {
@@ -59,7 +59,7 @@ class BrushHold implements Hold {
     this.stroke = new Stroke(command, view, page_id, options.sent, answered);
     this.start = event.timeStamp;
     this.last = sampleOf(event, this.start);
-    this.steady = new SteadyHand(this.last.screen, steadiness.value * rope);
+    this.steady = new SteadyHand(this.last.screen, steadiness.value * max_rope_pixels);
     this.stroke.add([this.last]);
   }
 
@@ -132,7 +132,7 @@ function blowCommand(press: Press): Command {
   return commandOf("blow", {source, direction: subtract(press.hit.point, source)});
 }
 
-export function takeUp(op: Op, event: PointerEvent, press: Press, skinAt: (x: number, y: number) => Hit | null, options: HandOptions): Hold {
+export function beginHold(op: Op, event: PointerEvent, press: Press, skinAt: (x: number, y: number) => Hit | null, options: HandOptions): Hold {
   if (op === "attract") return new PullHold(press, options);
   if (op === "flow" || op === "interpolate") return new GuideHold(op, press, skinAt, options);
   const command = op === "blow" ? blowCommand(press) : commandOf(op);

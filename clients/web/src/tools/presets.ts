@@ -1,11 +1,11 @@
 // Presets of settings by tool.
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {Op} from "../api/types";
 
 export interface Preset { name: string; values: Record<string, unknown>; brush?: Record<string, unknown> }
 
 /** The user's own presets by tool. */
-export const saved = kept<Partial<Record<Op, Preset[]>>>("presets", {});
+export const saved = storedSignal<Partial<Record<Op, Preset[]>>>("presets", {});
 
 export const presets: Partial<Record<Op, Preset[]>> = {
   comb: [

@@ -1,6 +1,6 @@
 // The current tool, its settings and the brush; stored in this browser.
 import {computed, signal} from "@preact/signals";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {Command, Op, Symmetry} from "../api/types";
 import {edit_layer, groomed_coat, scene, settings} from "../scene/session";
 import {brush_members, ownStrength, schemaOf, toolOf} from "./catalogue";
@@ -8,16 +8,16 @@ import {forbidden, type Member} from "./schema";
 
 export type Values = Record<string, unknown>;
 
-export const current = kept<Op>("tool", "comb");
+export const current = storedSignal<Op>("tool", "comb");
 /** The user's settings by tool; everything else has the contract's default. */
-export const set_values = kept<Partial<Record<Op, Values>>>("tool-values", {});
-export const set_brush = kept<Values>("brush", {radius: 0.08});
+export const set_values = storedSignal<Partial<Record<Op, Values>>>("tool-values", {});
+export const set_brush = storedSignal<Values>("brush", {radius: 0.08});
 /** The brush alpha; `picture` is an id within the scene `scene`. */
 export const alpha = signal<{label: string; scene: string; picture: string} | null>(null);
 /** True if strokes are mirrored. This is a setting of the user interface, not of the scene. */
-export const mirror = kept("mirror", false);
+export const mirror = storedSignal("mirror", false);
 /** How much strokes are steadied, [0, 1]. */
-export const steadiness = kept("steady", 0);
+export const steadiness = storedSignal("steady", 0);
 /** Set by held keys, or by buttons on touch screens: Ctrl inverts, Shift smooths. */
 export const inverting = signal(false);
 export const smoothing = signal(false);
@@ -38,13 +38,13 @@ export const hand_symmetry = computed<Symmetry>(() => {
   return {planes: [middle_plane.value]};
 });
 /** The member `symmetry` that is sent with each command; empty if the command needs none. */
-const said_symmetry = computed(() => (mirror.value || hasImages(scene_symmetry.value) ? {symmetry: hand_symmetry.value} : {}));
+const symmetry_member = computed(() => (mirror.value || hasImages(scene_symmetry.value) ? {symmetry: hand_symmetry.value} : {}));
 
 /** The tool that a stroke would use now. */
 export const in_hand = computed<Op>(() => (smoothing.value ? "smooth" : current.value));
 
 /** Initial settings that are stronger than the contract's defaults, so that a first stroke is clearly visible. */
-const starts: Partial<Record<Op, Values>> = {
+const initial_values: Partial<Record<Op, Values>> = {
   trim: {height: 0.012}, paint: {field: "tip_colour", colour: "#fff1d6"}, length: {mode: "scale", value: 2}, smooth: {passes: 12},
   noise: {amount: 0.6, fields: ["direction", "length"]}, unify: {mean: ["direction", "length"]}, clump: {amount: 0.9}, comb: {lean: 0.8}, flow: {sigma: 0.08, reach: 0.15}, interpolate: {sigma: 0.08, reach: 0.15},
 };
@@ -52,7 +52,7 @@ const valueOf = (member: Member, set: Values) => set[member.name] ?? member.fall
 
 /** Returns the values of all members that have one. */
 export function valuesOf(op: Op): Values {
-  const set = {...starts[op], ...set_values.value[op]};
+  const set = {...initial_values[op], ...set_values.value[op]};
   return Object.fromEntries((toolOf(op)?.members ?? []).map((member) => [member.name, valueOf(member, set)]).filter(([, value]) => value !== undefined));
 }
 
@@ -61,7 +61,7 @@ export const brush = computed<Values>(() =>
 
 export function setValue(op: Op, name: string, value: unknown) {
   const others = toolOf(op)?.alternatives ?? [];
-  const values: Values = {...starts[op], ...set_values.value[op]};
+  const values: Values = {...initial_values[op], ...set_values.value[op]};
   if (others.includes(name)) for (const other of others) delete values[other];
   set_values.value = {...set_values.value, [op]: {...values, [name]: value}};
 }
@@ -75,7 +75,7 @@ const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b)
 
 /** Returns a command of the tool without a stroke. It has the members that differ from the defaults and that the contract's
  * rules allow. */
-export function commandOf(op: Op, by_hand: Values = {}): Command {
+export function commandOf(op: Op, overrides: Values = {}): Command {
   const tool = toolOf(op);
   const command: Values = {};
   const values = valuesOf(op);
@@ -86,17 +86,17 @@ export function commandOf(op: Op, by_hand: Values = {}): Command {
   if (ownStrength(tool)) command["strength"] = brush.value["strength"];
   const chosen = tool?.alternatives.filter((name) => command[name] !== undefined) ?? [];
   for (const extra of chosen.slice(1)) delete command[extra];
-  const whole: Values = {op, ...command, ...by_hand};
-  for (const name of forbidden(schemaOf(op), whole)) delete whole[name];
-  if (edit_layer.value) whole["edit_layer"] = edit_layer.value;
-  if (groomed_coat.value) whole["coats"] = [groomed_coat.value];
-  if (!whole["brush"] && "symmetry" in said_symmetry.value) whole["brush"] = said_symmetry.value;
-  return whole as Command;
+  const full_command: Values = {op, ...command, ...overrides};
+  for (const name of forbidden(schemaOf(op), full_command)) delete full_command[name];
+  if (edit_layer.value) full_command["edit_layer"] = edit_layer.value;
+  if (groomed_coat.value) full_command["coats"] = [groomed_coat.value];
+  if (!full_command["brush"] && "symmetry" in symmetry_member.value) full_command["brush"] = symmetry_member.value;
+  return full_command as Command;
 }
 
 /** Returns the brush to send with a tool: the members that differ from the defaults. */
 export function brushOf(op: Op, invert: boolean): Values {
-  const sent: Values = {...said_symmetry.value};
+  const sent: Values = {...symmetry_member.value};
   for (const member of brush_members.value) {
     const value = brush.value[member.name];
     if (!same(value, member.fallback)) sent[member.name] = value;

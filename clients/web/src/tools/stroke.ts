@@ -35,7 +35,7 @@ export class Stroke {
   add(samples: StrokeSample[]) {
     this.newest = performance.now();
     this.waiting.push(...samples);
-    void this.work();
+    void this.sendWaiting();
   }
 
   /** Ends the stroke. The remaining samples go to the outbox at once, which stores them in case the page is closed. */
@@ -43,7 +43,7 @@ export class Stroke {
     this.ended = true;
     const samples = this.nextSamples();
     if (samples.length) void this.sendPart(samples, this.waiting.length === 0);
-    if (this.waiting.length) void this.work();
+    if (this.waiting.length) void this.sendWaiting();
   }
 
   private begin() {
@@ -57,7 +57,7 @@ export class Stroke {
     return this.waiting.splice(0, Math.min(max_samples, this.waiting.length - (this.ended ? 0 : 1)));
   }
 
-  private async work() {
+  private async sendWaiting() {
     if (this.sending) return;
     this.sending = true;
     for (let done = false; !done;) {
@@ -81,7 +81,7 @@ export class Stroke {
       this.note(await answer, samples, last);
       mark("part", {start, end: performance.now(), newest, revision: (await answer).revision});
     } catch (error) {
-      await this.mend(error, samples, last, part);
+      await this.recover(error, samples, last, part);
     }
   }
 
@@ -103,7 +103,7 @@ export class Stroke {
 
   /** Handles a failed part. If another user's edit or a restart of the server ended the stroke on the server, continues it
    * as a new stroke; else shows the error and gives up. */
-  private async mend(error: unknown, samples: StrokeSample[], last: boolean, part: number) {
+  private async recover(error: unknown, samples: StrokeSample[], last: boolean, part: number) {
     const interrupted = error instanceof Refusal && part > 0 && [409, 422].includes(error.status) && /\/stroke/.test(error.problem.pointer ?? "");
     if (!interrupted) {
       sayError(error);

@@ -16,15 +16,15 @@ export class Adjustment {
   private readonly scale: number;
 
   /** `at` is the pointer's position; a pixel covers `units_per_pixel` model units there. */
-  constructor(private readonly what: Adjusted, readonly at: [number, number], units_per_pixel: number) {
-    this.value = Number(brush.value[what]);
+  constructor(private readonly property: Adjusted, readonly at: [number, number], units_per_pixel: number) {
+    this.value = Number(brush.value[property]);
     this.scale = brushScale(units_per_pixel);
     this.start = at[0];
   }
 
   move(x: number) {
     const by = x - this.start;
-    const number = this.what === "radius" ? Math.max(min_pixels / this.scale, this.value + by / this.scale) : Math.max(0, Math.min(1, this.value + by / full_strength));
-    setBrush(this.what, Number(number.toPrecision(3)));
+    const number = this.property === "radius" ? Math.max(min_pixels / this.scale, this.value + by / this.scale) : Math.max(0, Math.min(1, this.value + by / full_strength));
+    setBrush(this.property, Number(number.toPrecision(3)));
   }
 }

@@ -26,10 +26,10 @@ export function framed(scene: Scene, view: AutoView, aspect: number): Orbit {
 
 /** Interpolates two orbits at t in [0, 1], turning the shorter way. */
 export function between(from: Orbit, to: Orbit, t: number): Orbit {
-  const turn = Math.atan2(Math.sin(to.yaw - from.yaw), Math.cos(to.yaw - from.yaw));
+  const yaw_delta = Math.atan2(Math.sin(to.yaw - from.yaw), Math.cos(to.yaw - from.yaw));
   return {
     target: add(from.target, scale(subtract(to.target, from.target), t)),
-    yaw: from.yaw + turn * t,
+    yaw: from.yaw + yaw_delta * t,
     pitch: from.pitch + (to.pitch - from.pitch) * t,
     distance: from.distance * Math.pow(to.distance / from.distance, t),
   };

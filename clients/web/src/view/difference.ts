@@ -38,15 +38,15 @@ export async function differenceOf(one: Blob, other: Blob): Promise<Difference> 
   let sum = 0, covered = 0, largest = 0;
   for (let at = 0; at < a.data.length; at += 4) {
     const cover = a.data[at + 3]!, other_cover = b.data[at + 3]!;
-    let apart = 0;
+    let difference = 0;
     for (let k = 0; k < 3; ++k) {
-      const shown = (a.data[at + k]! * cover + ground * (255 - cover)) / 255;
-      apart += Math.abs(shown - (b.data[at + k]! * other_cover + ground * (255 - other_cover)) / 255);
+      const composited = (a.data[at + k]! * cover + ground * (255 - cover)) / 255;
+      difference += Math.abs(composited - (b.data[at + k]! * other_cover + ground * (255 - other_cover)) / 255);
     }
-    apart /= 3 * 255;
-    if (cover || other_cover) { sum += apart; ++covered; }
-    largest = Math.max(largest, apart);
-    out.data.set([...colourOf(apart / full_scale), 255], at);
+    difference /= 3 * 255;
+    if (cover || other_cover) { sum += difference; ++covered; }
+    largest = Math.max(largest, difference);
+    out.data.set([...colourOf(difference / full_scale), 255], at);
   }
   pen.putImageData(out, 0, 0);
   return {map: await canvas.convertToBlob({type: "image/png"}), mean: covered ? sum / covered : 0, largest};

@@ -16,13 +16,13 @@ export type Stage = "turning" | "draft" | "rest" | "traced";
 /** A picture on the screen. `state` is the value of `wanted` when it was requested, `orbit` its camera; `asked` and `shown`
  * are times in ms. */
 export interface Shown { stage: Stage; state: number; orbit: Orbit; dial: Dial; picture: Picture; width: number; height: number; asked: number; shown: number }
-export interface Wish { scene: string; orbit: Orbit; width: number; height: number; ratio: number; revision: number }
+export interface ViewState { scene: string; orbit: Orbit; width: number; height: number; ratio: number; revision: number }
 
 const rest_after = 140;      // ms without movement until the picture at rest is requested
 const turning_budget = 35;   // ms budget of a picture while the camera moves
 const trace_after = 1200;    // ms after the picture at rest until tracing starts
 const max_in_flight = 2;
-const again_after = 1000;     // ms until a retry after a lost connection or a full server
+const retry_delay = 1000;    // ms until a retry after a lost connection or a full server
 const trace_wait = 20;       // s that a request waits for a better picture
 const news_wait = 1;         // s that a draft waits until a sent part of a stroke arrives at the server
 
@@ -45,7 +45,7 @@ const moving: Partial<FrameRequest> = {format: "jpeg"};
 export const tracing = {passes: 64, noise: 0.004} satisfies FrameRequest["progressive"];
 
 /** A request in flight. The server draws only the newest frame of a view, so each request uses a view of its own, by `slot`. */
-interface Ask { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; stop: AbortController }
+interface InFlightRequest { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; stop: AbortController }
 
 export class FrameLoop {
   private asked = 0;
@@ -59,10 +59,10 @@ export class FrameLoop {
   private pace = new Pace();
   private news = false;
   private timer = 0;
-  private in_flight = new Set<Ask>();
+  private in_flight = new Set<InFlightRequest>();
 
-  /** `wish` returns what to draw, or null; `present` puts a picture on the screen. */
-  constructor(private readonly wish: () => Wish | null, private readonly present: (picture: ImageBitmap, stage: Stage) => void) {}
+  /** `view_state` returns what to draw, or null; `present` puts a picture on the screen. */
+  constructor(private readonly view_state: () => ViewState | null, private readonly present: (picture: ImageBitmap, stage: Stage) => void) {}
 
   private get state() { return wanted.peek(); }
 
@@ -74,42 +74,42 @@ export class FrameLoop {
     this.news ||= news;
     if (moving || turning) this.moving_until = performance.now() + rest_after;
     if (turning) this.turning_until = this.moving_until;
-    for (const ask of this.in_flight) if (ask.stage === "rest" || ask.stage === "traced") ask.stop.abort();
+    for (const request of this.in_flight) if (request.stage === "rest" || request.stage === "traced") request.stop.abort();
     this.pump();
   }
 
   /** Drops the picture and all requests, because they show another scene or model. */
   forget() {
-    for (const ask of this.in_flight) ask.stop.abort();
+    for (const request of this.in_flight) request.stop.abort();
     this.shown_number = this.asked + 1;
     shown.value = null;
   }
 
   stop() {
     clearTimeout(this.timer);
-    for (const ask of this.in_flight) ask.stop.abort();
+    for (const request of this.in_flight) request.stop.abort();
   }
 
   private pump() {
     clearTimeout(this.timer);
-    const wish = this.wish();
-    if (!wish || document.hidden) return;
+    const view_state = this.view_state();
+    if (!view_state || document.hidden) return;
     const now = performance.now();
     const stage = now >= this.blocked_until ? this.nextStage(now) : null;
-    if (stage) void this.ask(stage, wish);
+    if (stage) void this.request(stage, view_state);
     const later = Math.min(...[this.moving_until, this.rested_at + trace_after, this.blocked_until].filter((at) => at > now));
     if (Number.isFinite(later)) this.timer = window.setTimeout(() => this.pump(), later - now + 1);
   }
 
   private nextStage(now: number): Stage | null {
-    const asks = [...this.in_flight];
-    if (asks.length >= max_in_flight) return null;
-    const asking = (stage: Stage) => asks.some((ask) => ask.stage === stage && ask.state === this.state);
-    if (now < this.turning_until) return this.done.turning === this.state || asking("turning") ? null : "turning";
-    if (this.done.draft !== this.state) return asking("draft") ? null : "draft";
+    const requests = [...this.in_flight];
+    if (requests.length >= max_in_flight) return null;
+    const isRequested = (stage: Stage) => requests.some((request) => request.stage === stage && request.state === this.state);
+    if (now < this.turning_until) return this.done.turning === this.state || isRequested("turning") ? null : "turning";
+    if (this.done.draft !== this.state) return isRequested("draft") ? null : "draft";
     if (now < this.moving_until) return null;
-    if (this.done.rest !== this.state) return asking("rest") ? null : "rest";
-    if (!wants_trace.value || this.done.traced === this.state || asking("traced")) return null;
+    if (this.done.rest !== this.state) return isRequested("rest") ? null : "rest";
+    if (!wants_trace.value || this.done.traced === this.state || isRequested("traced")) return null;
     return now >= this.rested_at + trace_after ? "traced" : null;
   }
 
@@ -118,73 +118,73 @@ export class FrameLoop {
     return taken.includes(0) ? 1 : 0;
   }
 
-  private async ask(stage: Stage, wish: Wish) {
-    const ratio = stage === "draft" ? this.pace.ratio : stage === "turning" ? 1 : wish.ratio;
-    const ask: Ask = {number: ++this.asked, scene: wish.scene, state: this.state, stage, orbit: wish.orbit, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
-    this.in_flight.add(ask);
+  private async request(stage: Stage, view_state: ViewState) {
+    const ratio = stage === "draft" ? this.pace.ratio : stage === "turning" ? 1 : view_state.ratio;
+    const request: InFlightRequest = {number: ++this.asked, scene: view_state.scene, state: this.state, stage, orbit: view_state.orbit, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
+    this.in_flight.add(request);
     const asked = performance.now();
     try {
-      const picture = await drawFrame(wish.scene, this.requestOf(ask, wish), this.newsOf(stage, wish), ask.stop.signal);
-      await this.take(ask, picture, asked);
+      const picture = await drawFrame(view_state.scene, this.requestOf(request, view_state), this.newsOf(stage, view_state), request.stop.signal);
+      await this.receive(request, picture, asked);
     } catch (error) {
-      this.fail(ask, error);
+      this.fail(request, error);
     } finally {
-      this.in_flight.delete(ask);
+      this.in_flight.delete(request);
       this.pump();
     }
   }
 
-  private requestOf({stage, slot, ratio}: Ask, wish: Wish): FrameRequest {
-    const size = {width: Math.max(1, Math.round(wish.width * ratio)), height: Math.max(1, Math.round(wish.height * ratio))};
-    const request: FrameRequest = {...shared_request.value, ...size, camera: pinholeOf(wish.orbit), view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
+  private requestOf({stage, slot, ratio}: InFlightRequest, view_state: ViewState): FrameRequest {
+    const size = {width: Math.max(1, Math.round(view_state.width * ratio)), height: Math.max(1, Math.round(view_state.height * ratio))};
+    const request: FrameRequest = {...shared_request.value, ...size, camera: pinholeOf(view_state.orbit), view: `${page_id}-${stage === "traced" ? "traced" : slot}`};
     if (stage === "draft") return {...request, quality: "draft", ...moving};
     if (stage === "turning") return {...request, budget_ms: turning_budget, ...moving};
     if (stage === "traced") return {...request, ...rest_quality.value, progressive: tracing};
     return {...request, ...rest_quality.value};
   }
 
-  private newsOf(stage: Stage, wish: Wish): FrameNews | null {
-    if (stage === "traced") return {after: wish.revision, after_pass: this.passes, wait: trace_wait};
+  private newsOf(stage: Stage, view_state: ViewState): FrameNews | null {
+    if (stage === "traced") return {after: view_state.revision, after_pass: this.passes, wait: trace_wait};
     if (stage !== "draft" || !this.news) return null;
     this.news = false;
-    return {after: wish.revision, wait: news_wait};
+    return {after: view_state.revision, wait: news_wait};
   }
 
-  private async take(ask: Ask, picture: Picture | null, asked: number) {
+  private async receive(request: InFlightRequest, picture: Picture | null, asked: number) {
     if (!picture) {
-      if (ask.stage === "draft") this.done.draft = ask.state;
+      if (request.stage === "draft") this.done.draft = request.state;
       return;
     }
-    if (ask.stage === "draft") this.pace.note(ask.ratio, picture);
-    if (ask.number < this.shown_number) return;
+    if (request.stage === "draft") this.pace.note(request.ratio, picture);
+    if (request.number < this.shown_number) return;
     const answered = performance.now();
     const bitmap = await createImageBitmap(picture.bytes);
-    if (ask.number < this.shown_number || ask.stop.signal.aborted) return bitmap.close();  // a newer one was decoded first
-    this.shown_number = ask.number;
+    if (request.number < this.shown_number || request.stop.signal.aborted) return bitmap.close();  // a newer one was decoded first
+    this.shown_number = request.number;
     const {width, height} = bitmap;  // presenting the bitmap consumes it
-    this.present(bitmap, ask.stage);
+    this.present(bitmap, request.stage);
     const now = performance.now();
-    mark("frame", {scene: ask.scene, stage: ask.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
-    note(ask.stage, ask.dial, picture);
-    shown.value = {stage: ask.stage, state: ask.state, orbit: ask.orbit, dial: ask.dial, picture, width, height, asked, shown: now};
-    this.finish(ask, picture, now);
+    mark("frame", {scene: request.scene, stage: request.stage, revision: picture.revision, asked, answered, shown: now, timings: picture.timings});
+    note(request.stage, request.dial, picture);
+    shown.value = {stage: request.stage, state: request.state, orbit: request.orbit, dial: request.dial, picture, width, height, asked, shown: now};
+    this.finish(request, picture, now);
   }
 
-  private finish(ask: Ask, picture: Picture, now: number) {
-    if (ask.stage === "rest") this.rested_at = now;
-    if (ask.stage !== "traced") { this.done[ask.stage] = ask.state; return; }
+  private finish(request: InFlightRequest, picture: Picture, now: number) {
+    if (request.stage === "rest") this.rested_at = now;
+    if (request.stage !== "traced") { this.done[request.stage] = request.state; return; }
     this.passes = picture.trace?.passes ?? 0;
-    if (picture.trace && picture.trace.end !== "none") this.done.traced = ask.state;
+    if (picture.trace && picture.trace.end !== "none") this.done.traced = request.state;
   }
 
   /** Shows a refusal once and does not repeat the request until something changes; retries after a lost connection. */
-  private fail(ask: Ask, error: unknown) {
+  private fail(request: InFlightRequest, error: unknown) {
     if (error instanceof Aborted) return;
     if (error instanceof Offline || (error instanceof Refusal && [409, 429, 503].includes(error.status))) {
-      this.blocked_until = performance.now() + again_after;
+      this.blocked_until = performance.now() + retry_delay;
       return;
     }
-    this.done[ask.stage] = ask.state;
+    this.done[request.stage] = request.state;
     sayError(error);
   }
 }

@@ -2,7 +2,7 @@
 import {signal, useSignal} from "@preact/signals";
 import type {Command, Settings, Vector} from "../api/types";
 import {eyes as live_eyes, lights as live_lights} from "../scene/live_setting";
-import {movedEye, sunk} from "../scene/eyes";
+import {movedEye, sunk_share} from "../scene/eyes";
 import {run, scene, settings} from "../scene/session";
 import {current} from "../tools/state";
 import {add, dot, norm, scale, subtract, unit} from "./vector";
@@ -109,7 +109,7 @@ function eyes(): Gizmo[] {
     const pressed = () => { chosen_eye.value = k; };
     const put = (change: Partial<typeof eye>, done: boolean) => live_eyes.set(movedEye(list, k, change), done);
     const moved = (to: Vector, done: boolean) => put({position: to}, done);
-    const onSkin = (x: number, y: number) => { const hit = skinAt(x, y); return hit ? subtract(hit.point, scale(hit.normal, sunk * radius)) : at; };
+    const onSkin = (x: number, y: number) => { const hit = skinAt(x, y); return hit ? subtract(hit.point, scale(hit.normal, sunk_share * radius)) : at; };
     const turned = (to: Vector, done: boolean) => put({gaze: unit(subtract(to, at))}, done);
     const sized = (to: Vector, done: boolean) => put({radius: Math.min(0.2, Math.max(0.002, (norm(subtract(to, at)) - apart) / size))}, done);
     const chosen = k === chosen_eye.value;

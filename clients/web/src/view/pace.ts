@@ -2,9 +2,9 @@
 import type {Picture} from "../api/client";
 import {millisecondsOf} from "./measured";
 
-const wanted = 60;               // the server's time for a draft, in ms
+const target_ms = 60;            // the server's time for a draft, in ms
 const sizes = [1, 0.7, 0.5];     // factors for the canvas's side
-const patience = 4;              // drafts of one size before it may change; each change draws a whole picture
+const min_drafts = 4;            // drafts of one size before it may change; each change draws a whole picture
 const longer_when_larger = 2.2;  // factor of time for the next larger size, about that of the pixels
 
 export class Pace {
@@ -19,9 +19,9 @@ export class Pace {
     if (ratio !== this.ratio || this.drawn++ === 0) return;
     const time = millisecondsOf(picture);
     this.milliseconds = this.drawn === 2 ? time : 0.7 * this.milliseconds + 0.3 * time;
-    if (this.drawn < patience) return;
-    if (this.milliseconds > wanted) this.resize(1);
-    else if (this.milliseconds * longer_when_larger < wanted) this.resize(-1);
+    if (this.drawn < min_drafts) return;
+    if (this.milliseconds > target_ms) this.resize(1);
+    else if (this.milliseconds * longer_when_larger < target_ms) this.resize(-1);
   }
 
   private resize(by: number) {

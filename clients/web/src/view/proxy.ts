@@ -82,8 +82,8 @@ export class Proxy {
     return {point: add(local, this.mesh.origin), normal: this.smoothNormal(found.faceIndex % (this.mesh.indices.length / 3), local), distance: found.distance};
   }
 
-  /** Returns strands whose root, middle or tip lies within `radius` of `centre`, evenly thinned to at most `most`. */
-  strandsNear(centre: Vector, radius: number, most: number): StrandLine[] {
+  /** Returns strands whose root, middle or tip lies within `radius` of `centre`, evenly thinned to at most `max_count`. */
+  strandsNear(centre: Vector, radius: number, max_count: number): StrandLine[] {
     const {positions, normals, middles, tips, mask, origin} = this.mesh;
     const local = subtract(centre, origin);
     const near: number[] = [];
@@ -93,7 +93,7 @@ export class Proxy {
       const [x, y, z] = [positions[k]!, positions[k + 1]!, positions[k + 2]!];
       if (within(x, y, z) || within(x + middles[k]!, y + middles[k + 1]!, z + middles[k + 2]!) || within(x + tips[k]!, y + tips[k + 1]!, z + tips[k + 2]!)) near.push(k / 3);
     }
-    const step = Math.max(1, Math.ceil(near.length / most));
+    const step = Math.max(1, Math.ceil(near.length / max_count));
     return near.filter((_, at) => at % step === 0).map((vertex) => {
       const root = add(cornerOf(positions, vertex), origin);
       return {root, middle: add(root, cornerOf(middles, vertex)), tip: add(root, cornerOf(tips, vertex)), normal: cornerOf(normals, vertex)};

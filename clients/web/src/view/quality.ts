@@ -1,6 +1,6 @@
 // The dial's state: the quality of pictures at rest, from fast to accurate, or given by a budget.
 import {computed, signal} from "@preact/signals";
-import {kept} from "../api/identity";
+import {storedSignal} from "../api/identity";
 import type {FrameRequest, Tier} from "../api/types";
 import {groomed_coat} from "../scene/session";
 import {moment} from "./clock";
@@ -8,16 +8,16 @@ import {compared} from "./compared";
 
 export type Dial = {kind: "tier"; tier: Tier} | {kind: "budget"; milliseconds: number} | {kind: "error"; error: number};
 
-export const dial = kept<Dial>("dial", {kind: "tier", tier: "interactive"});
+export const dial = storedSignal<Dial>("dial", {kind: "tier", tier: "interactive"});
 /** True if strands are traced after the picture has rested. */
-export const trace_at_rest = kept("trace-at-rest", true);
+export const trace_at_rest = storedSignal("trace-at-rest", true);
 /** Members of the frame request that apply to every picture. */
-export const overlay = kept<NonNullable<FrameRequest["overlay"]>>("overlay", "none");
+export const overlay = storedSignal<NonNullable<FrameRequest["overlay"]>>("overlay", "none");
 /** Revision that the overlay "difference" compares with; without it, that overlay is off. Not stored, because it belongs to
  * this scene. */
 export const overlay_from = signal<number | null>(null);
-export const background = kept<string>("background", "studio");
-export const exposure = kept("exposure", 0);
+export const background = storedSignal<string>("background", "studio");
+export const exposure = storedSignal("exposure", 0);
 /** True if only what the mask leaves editable is drawn and touched. Not stored. */
 export const masked = signal(false);
 

@@ -44,8 +44,8 @@ function strokeTwice(pen: CanvasRenderingContext2D, colour: string, width = 1.6,
 }
 
 /** Draws the front-facing strands within the radius of a point; nearer ones are more opaque. */
-export function drawStrands(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, at: Vector, style: Pick<RingStyle, "radius" | "colour">, camera: Vector, most = max_strands) {
-  for (const {root, middle, tip, normal} of proxy.strandsNear(at, style.radius, most)) {
+export function drawStrands(pen: CanvasRenderingContext2D, projection: Projection, proxy: Proxy, at: Vector, style: Pick<RingStyle, "radius" | "colour">, camera: Vector, max_count = max_strands) {
+  for (const {root, middle, tip, normal} of proxy.strandsNear(at, style.radius, max_count)) {
     if (dot(normal, subtract(camera, middle)) <= 0) continue;
     const nearest = Math.min(...[root, middle, tip].map((knot) => norm(subtract(knot, at))));
     const [a, b, c] = [root, middle, tip].map((knot) => projection.project(knot));

@@ -18,7 +18,7 @@ export const proxy = signal<Proxy | null>(null);
 /** The point that the brush would touch; null beside the model. */
 export const hover = signal<Hit | null>(null);
 /** Set while a panel waits for the next press on the model, to get a position. */
-export const place_request = signal<{says: string; take: (hit: Hit, pixel: [number, number]) => void} | null>(null);
+export const pending_pick = signal<{says: string; take: (hit: Hit, pixel: [number, number]) => void} | null>(null);
 
 /** The camera of the picture on the screen; overlays use it, so that they stay aligned with the picture. */
 export const seen_orbit = computed<Orbit>(() => shown.value?.orbit ?? orbit.value);
@@ -31,7 +31,7 @@ export function skinAt(x: number, y: number): Hit | null {
 }
 
 const directions = 12;
-const shares = [0.4, 0.75, 1];  // fractions of the brush's radius at which furAt() looks
+const radius_fractions = [0.4, 0.75, 1];  // fractions of the brush's radius at which furAt() looks
 
 /** Returns the point that the brush touches at a pixel: on the fur there; else, if the brush reaches fur beside the pixel,
  * the point of the pixel's ray at that fur's distance. */
@@ -46,37 +46,37 @@ export function furAt(x: number, y: number): Hit | null {
   if (hit) return hit;
   const pixel = projection.unitsPerPixel(seen_orbit.value.target);
   const radius = worldRadius(pixel) / pixel;
-  for (const share of shares) {
+  for (const fraction of radius_fractions) {
     for (let k = 0; k < directions; ++k) {
       const angle = (2 * Math.PI * k) / directions;
-      const beside = cast(share * radius * Math.cos(angle), share * radius * Math.sin(angle));
-      if (beside) return inTheAir(projection.ray(x, y), beside);
+      const beside = cast(fraction * radius * Math.cos(angle), fraction * radius * Math.sin(angle));
+      if (beside) return hitInAir(projection.ray(x, y), beside);
     }
   }
   return null;
 }
 
-function inTheAir({origin, direction}: {origin: Vector; direction: Vector}, beside: Hit): Hit {
+function hitInAir({origin, direction}: {origin: Vector; direction: Vector}, beside: Hit): Hit {
   return {point: add(origin, scale(direction, beside.distance)), normal: backward(seen_orbit.value), distance: beside.distance};
 }
 
-let wanted = "";  // the scene and model to load into `proxy`
+let wanted_model = "";  // the scene and model to load into `proxy`
 
 async function load(id: string): Promise<void> {
-  const of = wanted;
+  const of = wanted_model;
   try {
     const {Proxy} = await import("./proxy");
     const loaded = await Proxy.load(id, masked.peek());
-    if (of !== wanted) return;
+    if (of !== wanted_model) return;
     if (loaded.masked !== masked.peek()) return void load(id);
     proxy.value = loaded;
     mark("proxy", {at: performance.now(), revision: loaded.revision});
   } catch (error) {
-    if (of === wanted && isOpen(id)) sayError(error);
+    if (of === wanted_model && isOpen(id)) sayError(error);
   }
 }
 
-const calm = 250;  // ms without a new revision before the fur is read again
+const reload_delay = 250;  // ms without a new revision before the fur is read again
 
 /** Reloads the proxy when the model changes and after each change of the groom. */
 export function followModel(): () => void {
@@ -91,13 +91,13 @@ export function followModel(): () => void {
       }
       last_model = model;
       if (!id) return;
-      if (now !== wanted) {
-        wanted = now;
+      if (now !== wanted_model) {
+        wanted_model = now;
         void load(id);
       } else if (proxy.value && only_masked !== proxy.value.masked) {
         void load(id);
       } else if (newest !== proxy.value?.revision) {
-        timer = window.setTimeout(() => void load(id), calm);
+        timer = window.setTimeout(() => void load(id), reload_delay);
       }
     });
   });

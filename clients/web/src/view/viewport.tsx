@@ -8,7 +8,7 @@ import {trial} from "../scene/trial";
 import {mark} from "../scene/marks";
 import {guideReach, guidesOf} from "../tools/guides";
 import {brush, current, hand_symmetry, in_hand, set_values, worldRadius} from "../tools/state";
-import {takeUp, type Hold} from "../tools/hand";
+import {beginHold, type Hold} from "../tools/hand";
 import {Adjustment, adjusting, type Adjusted} from "./adjust";
 import {orbit, pinholeOf, type Projection} from "./camera";
 import {Badge} from "./badge";
@@ -28,7 +28,7 @@ import {PictureStack} from "./picture_stack";
 import {dial, rest_quality, shared_request} from "./quality";
 import {drawRing, drawStrands} from "./ring";
 import {drawLine, drawPlanes} from "./sketch";
-import {followModel, furAt, hover, place_request, projectionNow, proxy, seen_orbit, skinAt, viewport_size} from "./surface";
+import {followModel, furAt, hover, pending_pick, projectionNow, proxy, seen_orbit, skinAt, viewport_size} from "./surface";
 import {ViewCube} from "./view_cube";
 import {moveTo} from "./views";
 
@@ -49,7 +49,7 @@ class View {
   constructor(private readonly box: HTMLElement, pictures: HTMLCanvasElement[], private readonly sketch: HTMLCanvasElement) {
     this.pictures = new PictureStack(pictures);
     this.pen = sketch.getContext("2d")!;
-    this.frames = new FrameLoop(() => this.wish(), (bitmap, stage) => this.present(bitmap, stage));
+    this.frames = new FrameLoop(() => this.viewState(), (bitmap, stage) => this.present(bitmap, stage));
     this.navigation = new Navigation(box, {
       size: () => scene.value?.size ?? 1,
       height: () => viewport_size.value.height,
@@ -68,7 +68,7 @@ class View {
     cancelAnimationFrame(this.redraw);
   }
 
-  private wish() {
+  private viewState() {
     if (!scene.value) return null;
     const {width, height} = viewport_size.value;
     const ratio = Math.min(devicePixelRatio || 1, max_ratio);
@@ -94,11 +94,11 @@ class View {
 
   private toolDown(event: PointerEvent) {
     const hit = furAt(event.offsetX, event.offsetY), skin = skinAt(event.offsetX, event.offsetY);
-    if (place_request.value) return this.place(skin, [event.offsetX, event.offsetY]);
+    if (pending_pick.value) return this.place(skin, [event.offsetX, event.offsetY]);
     if (!hit) return;
     this.pointer = [event.offsetX, event.offsetY];
     const press = {hit, skin, projection: projectionNow(), orbit: seen_orbit.value, time: event.timeStamp};
-    this.hold = takeUp(in_hand.value, event, press, skinAt, {
+    this.hold = beginHold(in_hand.value, event, press, skinAt, {
       sent: () => this.frames.touch({moving: true, news: true}),
       changed: () => this.frames.touch({moving: true}),
     });
@@ -120,9 +120,9 @@ class View {
 
   /** Passes a press to the panel that waits for a position. */
   private place(skin: Hit | null, pixel: [number, number]) {
-    const request = place_request.value;
+    const request = pending_pick.value;
     if (!request || !skin) return;
-    place_request.value = null;
+    pending_pick.value = null;
     request.take(skin, pixel);
   }
 
@@ -170,7 +170,7 @@ class View {
     const hit = this.pointer ? furAt(...this.pointer) : null;
     hover.value = hit;
     this.box.dataset["hand"] = hit ? "groom" : "turn";
-    if (!hit || !proxy.value || place_request.value) return;
+    if (!hit || !proxy.value || pending_pick.value) return;
     const style = {
       radius: worldRadius(projection.unitsPerPixel(hit.point)), inner: Number(brush.value["strength"] ?? 1),
       colour: in_hand.value === "smooth" ? "#7fd1ff" : "#ffd28a", flat: brush.value["falloff_shape"] === "surface",
@@ -241,7 +241,7 @@ export function Viewport() {
         <canvas class="sketch" ref={sketch} aria-hidden="true" />
       </div>
       <FirstPicture />
-      {place_request.value && <div class="hint-line" role="status">{place_request.value.says} <kbd>Esc</kbd> leaves it.</div>}
+      {pending_pick.value && <div class="hint-line" role="status">{pending_pick.value.says} <kbd>Esc</kbd> leaves it.</div>}
       <PieMenu />
       <Compare />
       <Gizmos />

@@ -1,7 +1,7 @@
 #include "server/http/accept_encoding.h"
+#include "server/http/embedded_files.h"
 #include "server/http/reply.h"
 #include "server/http/routes.h"
-#include "server/http/studio.h"
 
 namespace pelage {
 
@@ -10,7 +10,7 @@ namespace {
 using httplib::Request;
 using httplib::Response;
 
-std::string_view bytes_of(const StudioFile& file, ContentCoding encoding) {
+std::string_view bytes_of(const EmbeddedFile& file, ContentCoding encoding) {
   return encoding == ContentCoding::brotli ? file.brotli : encoding == ContentCoding::gzip ? file.gzip : file.identity;
 }
 
@@ -34,7 +34,7 @@ void send(std::string_view bytes, std::string_view type, Response& response) {
                                 });
 }
 
-void answer_file(const StudioFile& file, const Request& request, Response& response) {
+void answer_file(const EmbeddedFile& file, const Request& request, Response& response) {
   response.set_header("Vary", "Accept-Encoding");
   const auto encoding =
       choose_encoding(joined_header(request, "Accept-Encoding"), !file.gzip.empty(), !file.brotli.empty());
@@ -47,14 +47,14 @@ void answer_file(const StudioFile& file, const Request& request, Response& respo
   response.set_header("ETag", etag);
   response.set_header("Cache-Control", file.hashed ? "public, max-age=31536000, immutable" : "no-cache");
   set_security_headers(response);
-  response.status = none_match_names(request, etag) ? 304 : 200;
+  response.status = if_none_match_lists(request, etag) ? 304 : 200;
   if (response.status == 304) return;
   if (!name.empty()) response.set_header("Content-Encoding", std::string(name));
   send(bytes_of(file, *encoding), file.type, response);
 }
 
 void answer_address(const Request& request, Response& response) {
-  if (const StudioFile* file = find_studio_file(request.path)) return answer_file(*file, request, response);
+  if (const EmbeddedFile* file = find_embedded_file(request.path)) return answer_file(*file, request, response);
   response.set_header("Cache-Control", "no-store");  // a later version of the server may have it
   reply_problem(response, failure(Code::not_found, "The server has no such file."));
 }
@@ -68,7 +68,7 @@ void answer_first_page(const Request& request, Response& response) {
 
 }  // namespace
 
-void add_studio_routes(httplib::Server& server) {
+void add_embedded_file_routes(httplib::Server& server) {
   server.Get("/", answer_address);
   server.Get("/openapi.json", answer_address);
   server.Get("/assets/([^/]+)", answer_address);

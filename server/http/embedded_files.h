@@ -8,7 +8,7 @@
 namespace pelage {
 
 /// A file built into the program; the views refer to constants.
-struct StudioFile {
+struct EmbeddedFile {
   std::string_view path;  // its address: "/" for the page, "/assets/..." for its files, "/docs/..." or "/openapi.json"
   std::string_view type;  // for Content-Type
   std::string_view identity, gzip, brotli;  // the content; a compressed form is empty if it would not be shorter
@@ -17,9 +17,9 @@ struct StudioFile {
 };
 
 /// Returns all files; one is the studio's page.
-std::span<const StudioFile> studio_files();
+std::span<const EmbeddedFile> embedded_files();
 
 /// Returns the file at an address; null if there is none.
-const StudioFile* find_studio_file(std::string_view path);
+const EmbeddedFile* find_embedded_file(std::string_view path);
 
 }  // namespace pelage
