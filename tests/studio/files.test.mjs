@@ -15,7 +15,7 @@ let studio, folder;
 async function prepare() {
   folder = mkdtempSync(join(tmpdir(), "pelage-files-"));
   const {id} = await server.creature("start", 2000);
-  studio = await openStudio({scene: id});
+  studio = await openStudio({scene: id, alone: true});
   studio.expected.push(/Failed to load resource/);  // what the server refuses is part of the tests
   await studio.ready();
   await studio.panel("Files");

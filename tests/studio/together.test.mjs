@@ -58,7 +58,7 @@ test("the server is killed in the middle of a stroke and comes back", async () =
 
 test("what a page could not send before it was closed is sent by the next one", async () => {
   const {id} = await server.creature("closed");
-  const studio = await openStudio({scene: id});
+  const studio = await openStudio({scene: id, alone: true});
   studio.expected.push(/Failed to load resource/, /ERR_/);
   await studio.ready();
   await server.kill();

@@ -7,8 +7,7 @@ let id;
 start({prepare: async () => { id = (await server.creature("view", 2000)).id; }});
 
 test("draft, then the dial's picture, then strands that get better", async () => {
-  const context = {viewport: {width: 1024, height: 700}};
-  const studio = await openStudio({scene: id, context, kept: {"trace-at-rest": true}});
+  const studio = await openStudio({scene: id, kept: {"trace-at-rest": true}});
   await studio.ready();
   await studio.seen("rest");
   await studio.seen("traced");

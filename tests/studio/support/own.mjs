@@ -40,5 +40,17 @@ export const endAll = () => test("server and browser: closed", async () => {
   for (const one of servers) await one.stop();
 });
 
-/** A window on the own server. */
-export const openStudio = (options = {}) => Studio.open(chrome, server.address, options);
+const idle = [];  // windows on the own server; a new one takes two seconds of CPU time
+
+/** A window on the own server, used before by another test; a new one if the test is `alone` or asks for another context. */
+export async function openStudio({alone = false, ...options} = {}) {
+  if (alone || options.before || Object.keys(options.context ?? {}).length) return Studio.open(chrome, server.address, options);
+  const studio = idle.pop();
+  if (studio) await studio.show(options);
+  const shared = studio ?? await Studio.open(chrome, server.address, options);
+  shared.close = async () => {
+    await shared.leave();
+    idle.push(shared);
+  };
+  return shared;
+}

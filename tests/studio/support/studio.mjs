@@ -10,26 +10,60 @@ export async function browser(options = {}) {
   return chromium.launch({executablePath, args: [...args, "--disable-dev-shm-usage"], ...options});
 }
 
-/** One window on a scene. Everything that the console says is kept, and is to be nothing at the end. */
+const blank = "/blank-for-tests";  // a page of the server's origin without the studio; the server is not asked for it
+const viewport = {width: 1024, height: 700};
+
+// Pictures that two busy cores draw soon, unless the test is about others.
+const settings = {welcomed: true, dial: {kind: "tier", tier: "draft"}, "trace-at-rest": false};
+
+/** Runs in the page: collects the studio's events for tests. */
+function collectEvents() {
+  window.marks = {frame: [], part: [], ring: [], palette: [], proxy: []};
+  for (const name of Object.keys(window.marks)) addEventListener(`pelage:${name}`, ({detail}) => window.marks[name].push(detail));
+}
+
+/** Runs in a page of the server: the browser has stored these settings and nothing else. */
+function store(values) {
+  try {
+    localStorage.clear();
+    sessionStorage.clear();
+    for (const [name, value] of Object.entries(values)) localStorage.setItem(`pelage.${name}`, JSON.stringify(value));
+  } catch { /* this browser stores nothing */ }
+}
+
+/** One window on a scene. Everything that the console says is recorded, and is to be nothing at the end. */
 export class Studio {
-  static async open(chrome, address, {scene = "", context: context_options = {}, kept = {}, before = () => {}} = {}) {
+  /** Opens a new window. */
+  static async open(chrome, address, {context = {}, before = () => {}, ...shown} = {}) {
     const studio = new Studio();
-    studio.context = await chrome.newContext({viewport: {width: 1024, height: 700}, acceptDownloads: true, ...context_options});
-    // Pictures that two busy cores draw soon, unless the test is about others.
-    const settings = {welcomed: true, dial: {kind: "tier", tier: "draft"}, "trace-at-rest": false, ...kept};
-    await studio.context.addInitScript((initial) => {
-      for (const [name, value] of Object.entries(initial)) if (localStorage.getItem(`pelage.${name}`) === null) localStorage.setItem(`pelage.${name}`, JSON.stringify(value));
-      window.marks = {frame: [], part: [], ring: [], palette: [], proxy: []};
-      for (const name of Object.keys(window.marks)) addEventListener(`pelage:${name}`, ({detail}) => window.marks[name].push(detail));
-    }, settings);
+    studio.address = address;
+    studio.context = await chrome.newContext({viewport, acceptDownloads: true, ...context});
+    await studio.context.route(`**${blank}`, (route) => route.fulfill({contentType: "text/html", body: '<link rel="icon" href="data:,">'}));
+    await studio.context.addInitScript(collectEvents);
     await studio.context.addInitScript(before);
     studio.page = await studio.context.newPage();
-    studio.said = [];
-    studio.expected = [];
-    studio.page.on("console", (message) => { if (["error", "warning"].includes(message.type())) studio.said.push(`${message.type()}: ${message.text()} ${message.location().url ?? ""}`.trim()); });
-    studio.page.on("pageerror", (error) => studio.said.push(`thrown: ${error.message}`));
-    await studio.page.goto(`${address}/${scene ? `?scene=${scene}` : ""}`);
+    await studio.show(shown);
     return studio;
+  }
+
+  /** Shows a scene in this window, with the default settings and those of `kept`. */
+  async show({scene = "", kept = {}} = {}) {
+    await this.page.goto(`${this.address}${blank}`);
+    await this.page.evaluate(store, {...settings, ...kept});
+    this.said = [];
+    this.expected = [];
+    this.page.on("console", (message) => { if (["error", "warning"].includes(message.type())) this.said.push(`${message.type()}: ${message.text()} ${message.location().url ?? ""}`.trim()); });
+    this.page.on("pageerror", (error) => this.said.push(`thrown: ${error.message}`));
+    await this.page.goto(`${this.address}/${scene ? `?scene=${scene}` : ""}`);
+  }
+
+  /** Leaves the studio's page, so that another test can use the window. */
+  async leave() {
+    this.page.removeAllListeners();
+    await this.page.unrouteAll({behavior: "ignoreErrors"});
+    await this.page.setViewportSize(viewport);
+    await this.page.mouse.move(0, 0);
+    await this.page.goto(`${this.address}${blank}`);
   }
 
   /** Waits until a picture of the stage is seen ("draft" counts as any). */
