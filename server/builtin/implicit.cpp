@@ -8,6 +8,8 @@
 #include <limits>
 #include <numeric>
 
+#include "base/parallel.h"
+
 namespace pelage {
 namespace {
 
@@ -173,9 +175,11 @@ class Polygoniser {
   Polygoniser(const ImplicitSurface& surface, double cell) : cell_(cell), origin_(surface.lower() - 2 * cell) {
     count_ = glm::ivec3(glm::ceil((surface.upper() + 2 * cell - origin_) / cell)) + 1;
     distance_.resize(static_cast<std::size_t>(count_.x) * static_cast<std::size_t>(count_.y * count_.z));
-    for (int z = 0; z < count_.z; z += kBlock)
-      for (int y = 0; y < count_.y; y += kBlock)
-        for (int x = 0; x < count_.x; x += kBlock) sample_block(surface, {x, y, z});
+    const glm::uvec3 blocks = (count_ + kBlock - 1) / kBlock;
+    for_each_in_parallel(blocks.x * blocks.y * blocks.z, [&](std::uint32_t i) {
+      const glm::uvec3 block{i % blocks.x, i / blocks.x % blocks.y, i / (blocks.x * blocks.y)};
+      sample_block(surface, kBlock * glm::ivec3(block));
+    });
     vertex_of_edge_.assign(7 * distance_.size(), kNone);
   }
 

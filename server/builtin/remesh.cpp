@@ -6,6 +6,7 @@
 #include <cmath>
 #include <queue>
 
+#include "base/parallel.h"
 #include "server/builtin/implicit.h"
 
 namespace pelage {
@@ -340,8 +341,9 @@ class Remesher {
 
   void relax(double edge) {
     std::vector<glm::dvec3> moved(mesh_.vertex_count());
-    for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
+    for_each_in_parallel(mesh_.vertex_count(), [&](std::uint32_t v) {
       if (mesh_.vertex_live(v)) moved[v] = relaxed(v, edge);
+    });
     for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v)
       if (mesh_.vertex_live(v)) mesh_.move(v, moved[v]);
   }
