@@ -203,7 +203,7 @@ struct LogEntry {
   Revision revision = 0;
   std::string kind;      // the word of an EntryKind
   Revision step = 0;     // number of the step that it made, joined or replayed: that step's first revision; else 0
-  std::string commands;  // JSON text of the resolved commands, "" for undo and redo
+  std::string commands;  // JSON text of the resolved commands, "" for undo, redo and revert
   std::size_t touched = 0;
   bool in_effect = false;   // true if its commands are among those that made the present state
   std::string author = {};  // name that the client gave for who made the change; "" for none

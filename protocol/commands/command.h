@@ -108,12 +108,12 @@ struct SetSymmetry {
   Symmetry symmetry;
 };
 
-/// Gives the present revision a name, for `erase` and for comparisons.
+/// Gives a revision a name, for `erase` and for comparisons.
 struct Checkpoint {
   static constexpr const char* op = "checkpoint";
   static constexpr Inputs inputs = Inputs::none;
-  std::string name;                       // 1 to 200 bytes; a known name moves to this revision
-  std::optional<std::uint64_t> revision;  // set when the command is resolved
+  std::string name;                       // 1 to 200 bytes; a known name moves
+  std::optional<std::uint64_t> revision;  // none: the revision that this command makes
 };
 
 /// Commands that change settings of the scene and do not edit fields themselves.

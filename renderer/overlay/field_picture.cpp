@@ -212,7 +212,7 @@ struct Shape {
   }
   bool there(int x, int y) const { return normals.rgba[index(normals, x, y) + 3] > 0; }
 
-  /// Brightest where the skin is front-facing.
+  /// Returns the grey of a pixel, sRGB: brightest where the skin is perpendicular to the view, `behind` without skin.
   float grey_at(int x, int y) const {
     if (!there(x, y)) return behind;
     const float* normal = &normals.rgba[index(normals, x, y)];

@@ -77,7 +77,7 @@ bool shows_in(const RasterScene& scene, const GrownPart& part, const PixelBox& b
   const float x = camera.middle.x + glm::dot(ball.middle, camera.right) * scale;
   const float y = camera.middle.y - glm::dot(ball.middle, camera.up) * scale;
   const float wider = 1 + std::abs(glm::dot(ball.middle, camera.right)) / distance +
-                      std::abs(glm::dot(ball.middle, camera.up)) / distance;  // perspective elongates distant balls
+                      std::abs(glm::dot(ball.middle, camera.up)) / distance;  // perspective elongates off-centre balls
   const float left = x - wider * reach, right = x + wider * reach, top = y - wider * reach, bottom = y + wider * reach;
   const bool inside = right > static_cast<float>(box.left) && left < static_cast<float>(box.right) &&
                       bottom > static_cast<float>(box.top) && top < static_cast<float>(box.bottom);

@@ -252,7 +252,8 @@ CellRows DensityGrid::add_fur(std::span<const GrownPart> parts, int threads) {
   return rows;
 }
 
-/// Marks neighbouring cells too: an end of a strand may lie in the cell beside the one in which it was counted.
+/// Marks changed cells in `rows`, and their blocks. Also marks the blocks of neighbouring cells: an end of a strand may
+/// lie in the cell beside the one in which it was counted.
 void DensityGrid::mark_fur(std::span<const glm::ivec3> cells, CellRows& rows) {
   for (const glm::ivec3& cell : cells) {
     rows[layout_.row(cell.y, cell.z)].add({cell.x, cell.x + 1});

@@ -21,7 +21,7 @@ namespace pelage {
 
 namespace {
 
-constexpr std::size_t max_batches = 64;  // batches of strands; one thread works on each; independent of their number
+constexpr std::size_t max_batches = 64;  // batches of strands, each for one thread; the same for any number of threads
 
 /// A strand as RasterOutput::strand shows it. `number` counts all strands of the fur from 1.
 struct NamedStrand {

@@ -16,7 +16,7 @@ namespace pelage {
 
 /// Counts of a drawing, summed over its boxes.
 struct RasterCounts {
-  std::size_t strands = 0;  // strands of the coat
+  std::size_t strands = 0;  // strands of all coats, and curves
   std::size_t placed = 0;   // strands that touch a box and are not culled
   std::size_t lit = 0;      // lit strands; on a GPU, lit points
   std::size_t entries = 0;  // segments, counted once in each tile that they touch

@@ -66,7 +66,7 @@ std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>
 
 /// Returns whether a triangle may contain the middle of a pixel of the box. Few triangles of a fine mesh do.
 bool meets_pixel(const FlatTriangle& triangle, const PixelBox& box) {
-  constexpr double beside = 0.5 - 2e-3;  // half a pixel, less more than the overlap of covered_pixels
+  constexpr double beside = 0.5 - 2e-3;  // half a pixel, reduced by twice the overlap of covered_pixels
   const auto [x0, x1] = std::minmax({triangle.at[0].x, triangle.at[1].x, triangle.at[2].x});
   const auto [y0, y1] = std::minmax({triangle.at[0].y, triangle.at[1].y, triangle.at[2].y});
   if (!(x1 > box.left && x0 < box.right && y1 > box.top && y0 < box.bottom)) return false;

@@ -4,8 +4,8 @@
 // Uniforms of all passes of a frame. Layout std140; renderer/upload/blocks.h mirrors it.
 struct LightBlock {
   vec4 direction;  // direction of travel, unit; w: 0, or 1 for a light at a position
-  vec4 position;   // w: cosine of a spot's cone, -2 for other lights
-  vec4 radiance;   // w: cosine at which a spot begins to fade
+  vec4 position;   // w: cosine at which a spot or area light has faded out, -2 for other lights
+  vec4 radiance;   // w: cosine at which a spot or area light begins to fade
 };
 
 layout(std140, binding = frame_binding) uniform FrameBlock {

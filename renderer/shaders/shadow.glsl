@@ -34,8 +34,8 @@ float depth_below(int i, vec3 place, vec2 at) {
 
 // Returns the share of the light that gets past the body: AttenuShadow(sd, sw) = 1 - Cscale sw / sd below the lit skin
 // (GPU fur 4). Where three bars cross, the map is white on both sides of a shadow's edge: under the first bar the
-// second is dark, and beside it the third is. So white is weighted by the distance of its caster in front of the
-// position, over the distance of the caster in the map.
+// second is dark, and beside it the third is. So white is weighted by how far its own caster lies in front of the
+// position, over how far the caster in the depth map does.
 float body_visibility(int i, vec3 place) {
   vec2 at = map_uv(i, place);
   float below = depth_below(i, place, at);

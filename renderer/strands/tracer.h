@@ -1,5 +1,5 @@
 // The ray tracer of fur, which adds pass by pass, and its backplate: skin, bare skin and eyes in the light of all
-// lights, drawn by the shells' passes without fur, shadows and ground.
+// lights, drawn by the rasterizer without fur, shadows and ground.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,7 @@
-// The fast lighting of traced strands: each sample traces one shadow ray to one light, and the strands that it crosses
-// attenuate the light by their colour and number (science.md 4, coloured transmittance). What a strand then scatters is
-// computed as for shells (renderer/shaders/lighting.glsl), with the traced transmittance in place of the estimate.
+// The fast lighting of traced strands: each sample traces one shadow ray to one light or into the environment, and the
+// strands that it crosses attenuate the light by their colour and number (science.md 4, coloured transmittance). What a
+// strand then scatters is computed as for shells (renderer/shaders/lighting.glsl), with the traced transmittance in
+// place of the estimate.
 #pragma once
 
 #include "renderer/strands/film.h"
@@ -27,7 +28,7 @@ CameraHit trace_camera_ray(const TraceScene& scene, const World& world, glm::vec
 FilmSample features_of(const TraceScene& scene, const CameraHit& seen);
 
 /// Lights skin and eyes: takes their light from the backplate and attenuates it by the fur and body on the way to one
-/// light.
+/// light or into the environment.
 void light_backplate(const TraceScene& scene, const World& world, const CameraHit& seen, Sampler& sampler,
                      FilmSample& sample);
 

@@ -51,7 +51,7 @@ struct LightView {
   glm::mat4 world_to_clip{1};
   glm::vec3 viewpoint{0};  // far away for a directional light
   glm::vec4 axis{0};       // linear depth of a position, sizes: dot(axis.xyz, place) + axis.w
-  float texel = 0;         // size of a map's texel at distance 1 from the viewpoint, for
+  float texel = 0;         // size of a texel of its map at distance 1 from the viewpoint, sizes
 };
 
 /// Returns half of a light's width over its distance: for a directional light the tangent of its half angle, at most 2

@@ -32,7 +32,8 @@ class PoseHistory {
   /// known yet. Fails as the source and MovingModel do.
   Result<BodySwing> at(int frame, double time);
 
-  /// Returns how many frames before a frame its swing depends on; it depends on one after it, too.
+  /// Returns how many frames before a frame the oldest acceleration lies that its swing depends on. The swing depends
+  /// on the pose of the frame before that one, too, and on that of the frame after its own.
   static int frames_before(double fps);
 
  private:

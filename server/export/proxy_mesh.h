@@ -28,8 +28,8 @@ struct ProxyMesh {
 /// 1.3 us for each triangle of the mesh. Refused (invalid) for models smaller than limits::proxy_size.
 Result<ProxyMesh> simplify(const Mesh& mesh, std::size_t triangles);
 
-/// The fur at each position: the offsets from a strand's root to its middle and to its tip, in the model's unit, and
-/// the mask, [0, 1].
+/// The fur at each position: the offsets from a strand's root to its middle and to its tip, in the model's unit, for
+/// the coat that is longest there, and the mask, [0, 1].
 struct ProxyFur {
   std::vector<glm::vec3> middles, tips;
   std::vector<float> mask;

@@ -56,7 +56,8 @@ class CoatBaker {
   CoatBaker& operator=(const CoatBaker&) = delete;
 
   Handle submit(const Coat& coat);
-  /// Bakes a coat and waits for its slices: a CoatSource. Throws what baking threw.
+  /// Bakes a coat and waits for its slices: a CoatSource. Returns null if the baker is being destroyed. Throws what
+  /// baking threw.
   std::shared_ptr<const Slices> wait(const Coat& coat);
 
   /// Returns the bytes of the coats that are being baked or are held.

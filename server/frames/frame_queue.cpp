@@ -21,15 +21,15 @@ std::string drawn_by(const Context* context, bool strands_by_gl) {
   return strands_by_gl ? context->description() : cpu + ", shells by " + context->description();
 }
 
-void TurnCounts::join(JobOwner subject) {
+void TurnCounts::join(JobOwner owner) {
   const auto fewest = std::min_element(waiting_.begin(), waiting_.end(),
                                        [](const auto& a, const auto& b) { return a.second.turns < b.second.turns; });
   const std::uint64_t turns = fewest == waiting_.end() ? 0 : fewest->second.turns;
-  ++waiting_.try_emplace(subject, Waits{turns, 0}).first->second.jobs;
+  ++waiting_.try_emplace(owner, Waits{turns, 0}).first->second.jobs;
 }
 
-void TurnCounts::take(JobOwner subject) {
-  const auto found = waiting_.find(subject);
+void TurnCounts::take(JobOwner owner) {
+  const auto found = waiting_.find(owner);
   ++found->second.turns;
   if (--found->second.jobs == 0) waiting_.erase(found);
 }

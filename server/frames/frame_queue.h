@@ -36,12 +36,12 @@ struct JobOwner {
   bool operator<(const JobOwner& other) const { return std::pair(scene, view) < std::pair(other.scene, other.view); }
 };
 
-/// Counts the turns of each waiting subject. A new subject starts with as many turns as the one with the fewest.
+/// Counts the turns of each waiting owner. A new owner starts with as many turns as the one with the fewest.
 class TurnCounts {
  public:
-  void join(JobOwner subject);
-  void take(JobOwner subject);
-  std::uint64_t of(JobOwner subject) const { return waiting_.at(subject).turns; }
+  void join(JobOwner owner);
+  void take(JobOwner owner);
+  std::uint64_t of(JobOwner owner) const { return waiting_.at(owner).turns; }
 
  private:
   struct Waits {
@@ -51,13 +51,13 @@ class TurnCounts {
 };
 
 /// A queue in which scenes take turns, and within a scene its views: a scene with a thousand waiting frames delays no
-/// other scene. Within a subject, each job has a due time, `idle_timeout` times its expected cost after its arrival,
+/// other scene. Within an owner, each job has a due time, `due_per_cost` times its expected cost after its arrival,
 /// and the earliest due time goes first: short jobs overtake long ones unless they arrive much later. Of equal due
 /// times the first arrival goes first. The caller supplies the clock, in milliseconds from any origin.
 template <class Job>
 class ShortestFirst {
  public:
-  static constexpr double idle_timeout = 8;
+  static constexpr double due_per_cost = 8;
   /// The maximum cost of a job that may be drawn in the pauses of a running job, relative to the running job's cost.
   static constexpr double max_interleaved_share = 0.5;
 
@@ -65,16 +65,16 @@ class ShortestFirst {
   std::size_t size() const { return waiting_.size(); }
 
   /// Adds a job. `cost` is the expected cost in milliseconds.
-  void add(Job job, double cost, double now, JobOwner subject = {}) {
-    scene_turns_.join({subject.scene, 0}), view_turns_.join(subject);
-    waiting_.push_back({std::move(job), cost, now + idle_timeout * cost, next_arrival_++, subject});
+  void add(Job job, double cost, double now, JobOwner owner = {}) {
+    scene_turns_.join({owner.scene, 0}), view_turns_.join(owner);
+    waiting_.push_back({std::move(job), cost, now + due_per_cost * cost, next_arrival_++, owner});
   }
 
   struct Taken {
     Job job;
     double cost, due;  // expected cost and due time, milliseconds
     std::uint64_t arrival;
-    JobOwner subject;
+    JobOwner owner;
   };
   /// Takes the first job that is `ready`; nothing if there is none.
   std::optional<Taken> take(const std::function<bool(const Job&)>& ready = [](const Job&) { return true; }) {
@@ -83,7 +83,7 @@ class ShortestFirst {
 
   /// Puts a taken job back at its old position in the queue. It has used its turn.
   void put_back(Taken taken) {
-    scene_turns_.join({taken.subject.scene, 0}), view_turns_.join(taken.subject);
+    scene_turns_.join({taken.owner.scene, 0}), view_turns_.join(taken.owner);
     const auto later =
         std::find_if(waiting_.begin(), waiting_.end(), [&](const Taken& one) { return one.arrival > taken.arrival; });
     waiting_.insert(later, std::move(taken));
@@ -122,7 +122,7 @@ class ShortestFirst {
   template <class Fits>
   std::optional<Taken> take_of(const Fits& fits) {
     const auto rank = [&](const Taken& one) {
-      return std::tuple(scene_turns_.of({one.subject.scene, 0}), view_turns_.of(one.subject), one.due);
+      return std::tuple(scene_turns_.of({one.owner.scene, 0}), view_turns_.of(one.owner), one.due);
     };
     auto first = waiting_.end();
     for (auto one = waiting_.begin(); one != waiting_.end(); ++one) {
@@ -131,7 +131,7 @@ class ShortestFirst {
     if (first == waiting_.end()) return {};
     std::optional<Taken> taken = std::move(*first);
     waiting_.erase(first);
-    scene_turns_.take({taken->subject.scene, 0}), view_turns_.take(taken->subject);
+    scene_turns_.take({taken->owner.scene, 0}), view_turns_.take(taken->owner);
     return taken;
   }
 

@@ -86,10 +86,11 @@ class FrameService {
   FrameProgressList progress(const Scene& scene) const;
 
   /// Prepares tracing of the scene at present, or at the request's revision, and draws the backplate. Waits until no
-  /// frame is being drawn or waits. Fails as `view` and the renderer do.
+  /// frame is being drawn or could be; frames whose coat is still being baked do not count. Fails as `view` and the
+  /// renderer do.
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// Finishes a linear picture as the request says that it was drawn or traced for. Fails (conflict) if an overlay
-  /// shows fields of a model that the scene no longer has. Waits until no frame is being drawn or waits.
+  /// shows fields of a model that the scene no longer has. Waits as `begin_trace` does.
   Result<DrawnFrame> finish(const LinearPicture& light, const FrameRequest& request);
 
   /// Returns the bytes of memory of the renderer's copies of a model, with their GL objects, as of its last frame, plus

@@ -41,7 +41,7 @@ struct FrameService::Impl {
   std::condition_variable wake;
   CoatBaker baker;
   ShortestFirst<std::unique_ptr<FrameJob>> jobs;
-  std::deque<RenderTask> tasks;  // run after all jobs
+  std::deque<RenderTask> tasks;  // run while no job is ready
   std::vector<std::uint64_t> forgotten;
   bool stopping = false;
   std::string description;

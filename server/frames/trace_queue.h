@@ -45,7 +45,7 @@ class TraceQueue {
   using Clock = std::chrono::steady_clock;
   struct Limits {
     std::size_t waiting = 16;          // maximum number of waiting jobs
-    std::size_t max_progressive = 32;  // maximum number of progressive pictures, including ended ones
+    std::size_t max_progressive = 32;  // from this many jobs on, a new one drops the ended one requested least recently
     std::chrono::milliseconds settle_time{
         100};  // from a progressive picture's start to its tracing, since the user may still be moving
     std::chrono::milliseconds idle_timeout{30'000};      // lifetime of a progressive picture without requests
@@ -69,8 +69,8 @@ class TraceQueue {
   Status improve(const std::shared_ptr<Scene>& scene, const FrameRequest& request, Revision revision);
 
   /// Returns the newest picture of the progressive job if it has more passes than were seen, its error if it failed,
-  /// else nothing. The job must be of the revision that was seen. Does not wait; when the answer changes, waiters of
-  /// the scene are woken (Scene::wake).
+  /// else nothing; also nothing if the job is of another revision than was seen. Does not wait; when the answer
+  /// changes, waiters of the scene are woken (Scene::wake).
   std::optional<Result<std::shared_ptr<const LinearPicture>>> better_picture(const Scene& scene,
                                                                              const FrameRequest& request,
                                                                              SeenPicture seen);

@@ -25,7 +25,7 @@ struct Gauges {
   std::uint64_t coats_baked = 0;
   std::size_t gl_bytes = 0;
   TraceCounts traces;
-  std::string renderer;  // names of the GL vendor, device and version
+  std::string renderer;  // what draws, e.g. "AVX2 on the CPU" (FrameService::description)
 };
 
 /// Thread-safe.
@@ -33,7 +33,8 @@ class Metrics {
  public:
   /// `route` is a template such as "/v1/scenes/{id}", never a path with an id.
   void count_request(const std::string& route, int http_status);
-  /// Counts a frame; `seconds` is the time from the start of drawing to the encoded picture, with its time in queues.
+  /// Counts a frame; `seconds` is the time from the request for the picture, after any wait for news, to the encoded
+  /// picture, with its time in queues.
   void count_frame(double seconds);
   std::string text(const Gauges& gauges) const;
 

@@ -16,7 +16,7 @@ namespace pelage {
 enum class BodySide { none, left, right };
 
 /// Returns the side of the body in a joint's name: one of its words is l or left, r or right. Words end before a
-/// character that is no letter and before a capital letter.
+/// character that is no letter, and before a capital letter unless it follows another and no small letter follows it.
 BodySide side_of_joint(const std::string& name);
 
 /// Returns the axis, orthogonal to `up`, along which an animal looks: its left joints lie on one side of it, its right

@@ -19,7 +19,7 @@ struct MapImage {
   int size = 1;                       // pixels on a side, [1, 8192]
   int channels = 1;                   // [1, 4]
   std::vector<float> values;          // channels * size * size
-  std::vector<std::uint8_t> covered;  // size * size: 1 if the pixel shows the model
+  std::vector<std::uint8_t> covered;  // size * size: 1 if the pixel's value is drawn or dilated
 
   float* at(std::size_t pixel) { return values.data() + pixel * static_cast<std::size_t>(channels); }
   const float* at(std::size_t pixel) const { return values.data() + pixel * static_cast<std::size_t>(channels); }

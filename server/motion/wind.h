@@ -19,9 +19,9 @@ struct WindWave {
 };
 
 /// A mean wind and waves. Gusts are long waves that strengthen and weaken the wind and travel with it, so that they
-/// visibly run over a meadow. Turbulence has eddies up to `turbulence_scale`, whose energy falls with size after
-/// Kolmogorov 1941 (k^(-5/3)); its velocity is orthogonal to its wave vectors, so that it is free of divergence. Both
-/// change as they travel.
+/// visibly run over a meadow. Turbulence has eddies up to `turbulence_scale`, whose energy falls with the
+/// wave number k as k^(-5/3) (Kolmogorov 1941); its velocity is orthogonal to its wave vectors, so that it is free of
+/// divergence. Both change as they travel.
 struct WindField {
   glm::dvec3 mean{0};  // sizes per second
   std::vector<WindWave> waves;

@@ -38,8 +38,8 @@ struct PatchMap {
   std::uint32_t patches = 0;
 };
 
-/// Covers any prepared mesh with patches that overlap softly: cells of limited bending with a ragged overlap, whose
-/// width is limited by the triangles and by 1.25 times the area. Each patch is flattened with little stretch, has its u
+/// Covers any prepared mesh with patches that overlap softly: cells of limited bending with a ragged overlap (Overlap),
+/// at least a ring of triangles wide. Each patch is flattened with little stretch, has its u
 /// axis along the mesh's tangents and is at a random position of the tile. Cells that stretch too much are split.
 /// Deterministic at any thread count.
 PatchMap lay_patches(const Mesh& mesh);

@@ -20,7 +20,7 @@ struct HalfSpace {
   double depth(glm::dvec3 position) const { return side * (bound - position[axis]); }
 };
 
-/// Clips a convex polygon to a half space (Sutherland and Hodgman 1974). `kept` is scratch memory.
+/// Clips a convex polygon to a half space (Sutherland and Hodgman 1974). `clipped` is scratch memory.
 void clip(std::vector<Corner>& polygon, const HalfSpace& half, std::vector<Corner>& clipped) {
   clipped.clear();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

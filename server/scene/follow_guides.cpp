@@ -13,7 +13,7 @@ namespace pelage {
 
 namespace {
 
-/// Thins the keys to at most `most`, and to what one command may cost.
+/// Thins the keys to at most `max_keys`, and to what one command may cost.
 void thin(Interpolate& command, std::size_t max_keys, const Symmetry& symmetry, const Surface& surface) {
   command.keys = thinned(command.keys, max_keys);
   const double visits = evaluation_cost(command, symmetry, surface, 0).visits;

@@ -114,7 +114,7 @@ class Scene {
   Result<SettingsAnswer> settings(std::optional<Revision> revision = {}) const;
   /// Returns all log entries since the model was set, oldest first.
   std::vector<LogEntry> log() const;
-  /// Returns the resolved commands that lead from the first groom to the present state; one element for each undo step.
+  /// Returns the resolved commands that lead from the first groom to the present state, as History::effective_log.
   std::vector<std::vector<Command>> effective_log() const;
   /// Returns effective_log() converted for another model (transferred_command). The message of an error gives the
   /// number of the step, from 1.
@@ -160,7 +160,8 @@ class Scene {
   /// Renames the scene; the revision stays.
   Status rename(const std::string& name);
 
-  /// Removes the scene from the journal. Later changes by those who still hold it fail (not_found).
+  /// Removes the scene from the journal, without waiting for a change that is being evaluated. That change and later
+  /// ones by those who still hold the scene fail (not_found).
   Status remove();
 
   /// Waits until the revision is above `after`, the scene is removed, `or_else` returns true or `seconds` have passed,

@@ -29,8 +29,9 @@ std::vector<std::uint32_t> grow_over_creases(const std::vector<glm::uvec3>& tria
                                              std::vector<glm::vec3>& normals);
 
 /// Makes fur at open edges lean over the rim, so that its roots, which hardly any light reaches, are not visible from
-/// the side. Each open edge counts as a side whose normal points out of its triangle's rim, and fur at a vertex grows
-/// along the mean of its sides. The shading of the skin stays: a mesh with a rim gets shading normals for that.
+/// the side. The open edges at a vertex together count as one more side, whose normal points out over the rim, and fur
+/// grows along the mean of the vertex's sides. The shading of the skin stays: a mesh with a rim gets shading normals
+/// for that.
 void lean_over_rims(Mesh& mesh);
 
 }  // namespace pelage

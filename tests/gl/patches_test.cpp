@@ -1,4 +1,4 @@
-// Overlapping pieces of patches together transmit what a single piece would.
+// Overlapping triangles of patches together transmit what a single one would.
 #include <algorithm>
 
 #include "server/frames/fur_view.h"
@@ -10,7 +10,7 @@ namespace {
 
 class SharedFur : public WithRenderer {};
 
-/// Draws the model with each piece once for every weight.
+/// Draws the model with each triangle once for every weight.
 Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std::vector<float>& weights) {
   const Mesh& mesh = model.model.surface.mesh();
   const FurTriangles whole = make_fur_triangles(mesh, with_hard_borders(model.model.patches));

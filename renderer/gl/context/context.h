@@ -50,10 +50,10 @@ Result<std::unique_ptr<Context>> open_egl(EglPlatform platform);
 Result<std::unique_ptr<Context>> open_egl_device(int device);
 Result<std::unique_ptr<Context>> open_osmesa();
 
-/// Opens the chosen context; null if there is to be no GL. If egl or osmesa does not work, fails with unavailable,
-/// naming what was tried; they never fall back to another choice. `threads` bounds the threads of a software GL (0: as
-/// many as cores); it only takes effect at the first context of the process. `device` is the number of an EGL device,
-/// for automatic and egl; no other device is tried then.
+/// Opens the chosen context; null if there is to be no GL. If egl, osmesa or a given device does not work, fails with
+/// unavailable, naming what was tried; they never fall back to another choice. `threads` bounds the threads of a
+/// software GL (0: as many as cores); it only takes effect at the first context of the process. `device` is the number
+/// of an EGL device, for automatic and egl; no other device is tried then.
 Result<std::unique_ptr<Context>> select_context(GlChoice choice, int threads, std::optional<int> device = {});
 
 }  // namespace pelage

@@ -6,7 +6,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = points_storage) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = words_storage) readonly buffer Words { uint words[]; };
-layout(std430, binding = bends_storage) readonly buffer Bends { vec4 bends[]; };  // PieceBend of each triangle of the model
+layout(std430, binding = bends_storage) readonly buffer Bends { vec4 bends[]; };  // TriangleBend of each triangle of the model
 layout(std430, binding = leans_storage) readonly buffer Leans { vec4 leans[]; };  // LeanTable::rows
 layout(std430, binding = bent_storage) writeonly buffer Bent { vec4 bent[]; };
 

@@ -24,7 +24,7 @@ std::size_t lanes_a_triangle(std::size_t triangles) {
   return std::clamp(enough / std::max<std::size_t>(triangles, 1), lower_limit, upper_limit);
 }
 
-/// Returns the room to start with, before any frame has shown how much is needed.
+/// Returns the capacities to start with, before any frame has shown how much is needed.
 StageCapacities initial_capacities(std::size_t max_bytes) {
   const auto fitting = [=](std::size_t capacity, std::size_t bytes) {
     return static_cast<std::uint32_t>(std::min(capacity, max_bytes / bytes));

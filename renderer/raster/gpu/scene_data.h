@@ -57,7 +57,7 @@ class SceneData {
 
   /// Sends the strands of a scene. Call it before the plan is made, which refers to them.
   void send_strands(const RasterScene& scene) { strands_changed_ = pool.update(scene.parts) || strands_changed_; }
-  /// Sends everything else but the plan and the rooms.
+  /// Sends everything else but the plan and the capacities.
   void send(const DrawnBox& box);
   void send_plan(const StrandPlan& strands);
   void send_capacities(const DrawnBox& box, const StageCapacities& rooms) {

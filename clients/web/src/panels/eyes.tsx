@@ -28,7 +28,7 @@ function eyeAt(hit: Hit, like: Eye | undefined): Eye {
   return {...rest, ...(lids ? {lids} : {}), radius, gaze: hit.normal, position: subtract(hit.point, scale(hit.normal, sunk_share * radius * (scene.value?.size ?? 1)))};
 }
 
-/** Returns the command that removes fur around an eye, as far as its lids reach. */
+/** Returns the command that removes fur within `bare_radii` of an eye's centre. */
 function clearing(eye: Eye): Command {
   const radius = bare_radii * (eye.radius ?? first_radius);
   return {op: "paint", field: "density", value: 0, brush: {radius, strength: 1, falloff: "constant", symmetry: {planes: []}}, stroke: {samples: [{position: eye.position}]}};

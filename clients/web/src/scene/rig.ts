@@ -15,7 +15,7 @@ const default_rig: Light[] = [
 
 /** Returns true if there are at least three lights, so that the first three are the rig. */
 export const isRig = (lights: readonly Light[]) => lights.length >= default_rig.length;
-/** Adds default lights up to three. */
+/** Returns the three lights of the rig: the first ones given, and default lights in place of missing ones. */
 export const withRig = (lights: readonly Light[]): Light[] => default_rig.map((light, k) => lights[k] ?? light);
 
 export const intensityOf = (lights: readonly Light[], k: number) => Number(lights[k]?.intensity ?? 1);
