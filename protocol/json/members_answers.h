@@ -12,90 +12,90 @@ namespace pelage::json_parts {
 
 template <class V>
 void members(V& v, Visited<V, FrameCounters>& c) {
-  v.answer("FrameCounters", "What a frame asked of what draws it.");
-  v.counter("passes", c.passes, "Programs put to use, one after another.");
+  v.answer("FrameCounters", "GL work of a frame; without a GL all but `bytes` and `redrawn` are 0.");
+  v.counter("passes", c.passes, "Times that a shader program was bound.");
   v.counter("draws", c.draws, "Draw calls.");
   v.counter("textures", c.textures, "Textures bound.");
-  v.counter("bytes", c.bytes, "Bytes sent to what draws for the frame, changes of fields included.");
-  v.counter(
-      "fragments", c.fragments,
-      "Runs of fragment shaders, but for the pass that writes the picture's pixels; samples that were drawn where "
-      "the GL does not count runs.");
-  v.counter("objects", c.objects, "Buffers, textures, targets and programs that were made.");
-  v.counter("allocated", c.allocated, "Bytes of storage that was asked for, without mip levels.");
+  v.counter("bytes", c.bytes, "Bytes sent to the renderer for the frame, changes of fields included.");
+  v.counter("fragments", c.fragments,
+            "Fragment shader invocations, without the pass that writes the final pixels; drawn samples if the GL does "
+            "not count invocations.");
+  v.counter("objects", c.objects, "Buffers, textures, targets and programs created.");
+  v.counter("allocated", c.allocated, "Bytes of storage requested, without mip levels.");
   v.number("redrawn", c.redrawn, share,
-           "Share of the picture that was drawn. It is below 1 after a stroke, where the frame before showed the same "
-           "view: the rest is kept. The picture has the same bits as if all of it had been drawn.");
+           "Share of the picture that was drawn. Below 1 after a stroke if the previous frame showed the same view: "
+           "the rest is reused, and the picture has the same bits as if drawn whole.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameEstimate>& c) {
-  v.answer("FrameEstimate", "How far a frame is estimated to be from the truth, and what it was estimated to cost.");
+  v.answer("FrameEstimate", "Estimated error and drawing time of a frame.");
   v.number("error", c.error, share.in("mean FLIP"),
-           "Mean FLIP where there is fur, against the reference: half of the frames have at most this.");
-  v.number("error_safety", c.error_safety, one_or_more.in("factor"), "95% of frames have at most `error` times it.");
+           "Mean FLIP over the fur, against `reference`; half of such frames have at most this.");
+  v.number("error_safety", c.error_safety, one_or_more.in("factor"),
+           "95% of frames have at most `error` times this factor.");
   std::size_t reference = 0;
   v.name("reference", reference, json_names::error_references,
          "What errors are measured against: the same strands, traced.");
   v.number("cost_ms", c.cost_ms, not_negative.in("milliseconds"),
-           "Drawing time, as of `budget_ms`, before the frame was drawn.");
-  v.number("cost_safety", c.cost_safety, one_or_more.in("factor"), "95% of frames cost at most `cost_ms` times it.");
+           "Drawing time, estimated before drawing; what `budget_ms` limits.");
+  v.number("cost_safety", c.cost_safety, one_or_more.in("factor"),
+           "95% of frames take at most `cost_ms` times this factor.");
   v.number("correction", c.correction, positive.in("factor"),
-           "Measured over predicted cost of this scene's frames so far, which `cost_ms` has in it. It moves in steps, "
+           "Measured over predicted cost of this scene's frames so far; `cost_ms` includes it. It changes in steps, "
            "and only when it is off by more than 8%.");
   v.name("end", c.end, json_names::plan_ends,
-         "Why the frame has its knobs. asked: the request named them. budget: better ones cost too much. error: the "
-         "cheapest that keep the error. best: nothing better is known. cheapest: even the cheapest are over the "
-         "budget.");
+         "Why these knobs were chosen. asked: the request named them. budget: better ones exceed the budget. error: "
+         "the cheapest within the error. best: the best known ones. cheapest: even the cheapest exceed the budget.");
   v.text("calibration", c.calibration,
-         "Name of what costs are estimated by; `defaults` until `pelage calibrate` has measured the machine.");
+         "Name of the cost calibration; `defaults` until `pelage calibrate` has measured the machine.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameCost>& c) {
-  v.answer("FrameCost", "What drawing a frame is expected to take; waiting for others and encoding come on top.");
-  v.number("seconds", c.seconds, not_negative.in("seconds"), "Time by which half of such frames are done.");
-  v.number("safety", c.safety, one_or_more.in("factor"), "Factor on `seconds`: 95% of such frames are done by then.");
+  v.answer("FrameCost", "Expected drawing time of a frame, without waiting and encoding.");
+  v.number("seconds", c.seconds, not_negative.in("seconds"), "Time that half of such frames take at most.");
+  v.number("safety", c.safety, one_or_more.in("factor"),
+           "95% of such frames take at most `seconds` times this factor.");
 }
 
 template <class V>
 void members(V& v, Visited<V, ExportAnswer>& c) {
-  v.answer("ExportAbout", "What an exported file holds.");
+  v.answer("ExportAbout", "Contents of an exported file.");
   v.counter("revision", c.revision, "Revision that is exported.");
   v.name("format", c.format, json_names::export_formats, "Format of the file.");
-  v.counter("strands", c.strands, "Number of strands, whiskers, lashes and brows; 0 of a GLB.");
+  v.counter("strands", c.strands, "Number of strands, whiskers, lashes and brows; 0 for a GLB.");
   v.counter("points", c.points, "Number of points of all strands.");
   v.counter("triangles", c.triangles,
-            "Number of triangles of a GLB: skin and all layers, or the skin and the finest level of cards.");
+            "Number of triangles of a GLB: the skin, and all shells or the finest level of cards.");
   v.counter("cards", c.cards, "Number of cards of the finest level.");
   v.counter("bytes", c.bytes, "Size of the file.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameProgress>& c) {
-  v.answer("FrameProgress", "A frame that is drawn now or waits to be.");
+  v.answer("FrameProgress", "A frame that is being drawn or waits.");
   v.text("view", c.view, "Name of the viewer, from its request.");
   v.integer("width", c.width, pixels, "Width of the picture.");
   v.integer("height", c.height, pixels, "Height of the picture.");
   v.number("share", c.share, share,
            "Share of the expected drawing time that has passed, at most 0.99; 0 while it waits.");
-  v.number("seconds", c.seconds, not_negative.in("seconds"), "Time since it was asked for.");
-  v.number("expected_seconds", c.expected_seconds, not_negative.in("seconds"),
-           "Time that drawing it is expected to take.");
+  v.number("seconds", c.seconds, not_negative.in("seconds"), "Time since the request.");
+  v.number("expected_seconds", c.expected_seconds, not_negative.in("seconds"), "Expected drawing time.");
 }
 
 template <class V>
 void members(V& v, Visited<V, FrameProgressList>& c) {
-  v.answer("FrameProgressList", "Frames that are drawn now or wait to be.");
-  v.objects("frames", c.frames, any_count, "Frames, in the order that they were asked for.");
+  v.answer("FrameProgressList", "Frames that are being drawn or wait.");
+  v.objects("frames", c.frames, any_count, "Frames, in the order of their requests.");
 }
 
 template <class V>
 void members(V& v, Visited<V, TraceReport>& c) {
-  v.answer("TraceReport", "How far a traced picture is.");
-  v.integer("passes", c.passes, {0, limits::trace_passes}, "Passes in this picture; 0 where nothing is traced.");
-  v.number("samples", c.samples, not_negative.in("samples"), "Samples of a pixel, on average.");
-  v.number("noise", c.noise, share, "Estimated mean error of a shown channel.");
+  v.answer("TraceReport", "Progress of a traced picture.");
+  v.integer("passes", c.passes, {0, limits::trace_passes}, "Passes in this picture; 0 if nothing is traced.");
+  v.number("samples", c.samples, not_negative.in("samples"), "Mean number of samples per pixel.");
+  v.number("noise", c.noise, share, "Estimated mean absolute error of a displayed channel.");
   v.counter("strands", c.strands, "Number of strands.");
   v.name("end", c.end, json_names::trace_ends, "Why tracing ended; none while it goes on.");
   v.number("grow_ms", c.grow_ms, not_negative.in("milliseconds"), "Time for growing and indexing strands.");
@@ -108,33 +108,33 @@ void members(V& v, Visited<V, MapAnswer>& c) {
   v.counter("revision", c.revision, "Revision that was drawn.");
   v.name("field", c.field, json_names::fields, "Field that was drawn.");
   v.name("encoding", c.encoding, json_names::map_encodings);
-  v.number("scale", c.scale, any_number.in("the field's unit"), "What 1 in the picture stands for.");
+  v.number("scale", c.scale, any_number.in("the field's unit"), "Value of 1 in the picture.");
   v.name("units", c.units, json_names::units);
   v.number("covered", c.covered, share, "Share of the pixels that lie in triangles.");
   v.counter("outside", c.outside,
-            "Triangles with a part outside [0, 1], drawn where a picture that repeats shows them.");
+            "Number of triangles partly outside [0, 1]; drawn where a repeating picture shows them.");
   v.integers("tiles", c.tiles, {first_udim, last_udim}, any_count,
              "UDIM tiles that the model has texture coordinates in.");
 }
 
 template <class V>
 void members(V& v, Visited<V, PictureAnswer>& c) {
-  v.answer("StoredPicture", "A picture that the server keeps.");
+  v.answer("StoredPicture", "A picture that the server stores.");
   v.picture("picture", c.picture, "Name of the picture, for commands.");
   v.integer("width", c.width, {1, limits::picture_pixels}, "Width of the picture.");
   v.integer("height", c.height, {1, limits::picture_pixels}, "Height of the picture.");
   v.integer("bits", c.bits, {8, 32}, "Bits of a channel: 8, 16, or 32 for any float.");
   v.number(sparse("scale"), c.scale, any_number.in("the field's unit"),
-           "What 1 in it stands for, where the file says so.");
+           "Value of 1 in the picture, if the file states it.");
 }
 
 template <class V>
 void members(V& v, Visited<V, EditLayer>& c) {
   v.answer("EditLayer", "An edit layer of the scene.");
   v.text("name", c.name, "Name of the edit layer.");
-  v.number("weight", c.weight, edit_layer_weight, "How much it counts.");
-  v.boolean("muted", c.muted, "Whether it is left out.");
-  v.text(sparse("coat"), c.coat, "Coat whose changes alone it keeps; absent where it keeps those of all.");
+  v.number("weight", c.weight, edit_layer_weight, "Factor on its changes.");
+  v.boolean("muted", c.muted, "Whether its changes are left out.");
+  v.text(sparse("coat"), c.coat, "Only coat whose changes it stores; absent: those of all.");
 }
 
 template <class V>
@@ -146,15 +146,15 @@ void members(V& v, Visited<V, Bounds>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Repair>& c) {
-  v.answer("Repair", "Something that was mended or left out of a file.");
-  v.text("code", c.code, "What was mended or left out, in a word.");
-  v.counter("count", c.count, "How often.");
+  v.answer("Repair", "A repair of the file, or something left out of it.");
+  v.text("code", c.code, "Kind of repair, such as welded_vertices.");
+  v.counter("count", c.count, "Number of cases.");
   v.texts(sparse("names"), c.names, "Names of the first few that were left out.");
 }
 
 template <class V>
 void members(V& v, Visited<V, NumberedPart>& c) {
-  v.answer("NumberedPart", "A connected part of the model that the load says something about.");
+  v.answer("NumberedPart", "A connected part of the model that the load report names.");
   v.integer("part", c.part, {1, static_cast<double>(limits::model_triangles)},
             "Number of the part, from 1, as `flip` and `two_sided` take it.");
   v.counter("triangles", c.triangles, "Number of its triangles.");
@@ -166,68 +166,66 @@ void members(V& v, Visited<V, MaterialReport>& c) {
   v.answer("Material", "A material of the model's file.");
   v.text("name", c.name, "The file's name for it.");
   v.counter("triangles", c.triangles, "Number of its triangles.");
-  v.boolean(
-      "bare", c.bare,
-      "Whether it began without fur, by its name: an eye, a tooth, a claw, a hoof. Paint `bare` with 0 to have some.");
+  v.boolean("bare", c.bare,
+            "Whether it began without fur because of its name: an eye, tooth, claw or hoof. Paint `bare` with 0 to "
+            "grow some.");
 }
 
 template <class V>
 void report_members(V& v, Visited<V, ModelReport>& c) {
   v.counter("source_vertices", c.source_vertices, "Number of vertices in the file.");
   v.counter("source_faces", c.source_faces, "Number of faces in the file.");
-  v.counter("vertices", c.vertices, "Number of vertices, welded on equal positions.");
+  v.counter("vertices", c.vertices, "Number of vertices, with equal positions welded.");
   v.counter("triangles", c.triangles, "Number of triangles.");
   v.counter("parts", c.parts, "Number of connected parts.");
-  v.number("size", c.size, positive.in("model units"), "Diagonal of the box, the model's unit.");
+  v.number("size", c.size, positive.in("model units"), "Diagonal of the box, in the model's unit.");
   v.object("bounds", c.bounds, "Box of the model.");
   v.name("up", c.up, json_names::axes, "The file's axis that was taken for up.");
   v.name("front", c.front, json_names::axes, "The file's axis that was taken for forward.");
-  v.text("pose", c.pose, "Moment of the animation that it stands in, as NAME@SECONDS; empty as the file has it.",
-         any_length);
-  v.texts("animations", c.animations, "Names of the animations that the file has.");
+  v.text("pose", c.pose, "Pose from an animation, as NAME@SECONDS; empty: the file's own pose.", any_length);
+  v.texts("animations", c.animations, "Names of the file's animations.");
   v.objects("materials", c.materials, {0, limits::named_materials}, "Named materials of the file; `mask` chooses one.");
-  v.objects("repairs", c.repairs, any_count, "What was mended, and what was left out.");
+  v.objects("repairs", c.repairs, any_count, "Repairs, and what was left out.");
   v.objects("doubtful_parts", c.doubtful_parts, any_count,
-            "Open parts that may be inside out: what little they enclose says so. `flip` turns one.");
+            "Open parts that may be inside out, by the sign of their small volume. `flip` turns one.");
   v.objects("sheets", c.sheets, any_count,
-            "Parts of one layer, of a model with several: open, and enclosing next to nothing. They are bare behind; "
+            "Open parts that enclose almost nothing, if the model has several parts. They have no fur behind; "
             "`two_sided` gives one a back.");
 }
 
 template <class V>
 void members(V& v, Visited<V, CarriedReport>& c) {
-  v.answer("Carried", "How the groom went over to a new version of the model.");
+  v.answer("Carried", "How the groom was transferred to a new version of the model.");
   v.name("align", c.align, json_names::alignments, "How both models were aligned.");
-  v.counter("vertices", c.vertices, "Number of vertices, each of which took what lay nearest.");
-  v.counter("far", c.far, "Number of them farther than .05 sizes from the model before.");
-  v.text("before", c.before, "Id of the scene that is as this one was, with its undo log.");
+  v.counter("vertices", c.vertices, "Number of vertices; each took the fur nearest to it.");
+  v.counter("far", c.far, "Number of them farther than .05 sizes from the previous model.");
+  v.text("before", c.before, "Id of a scene with the previous state and its undo log.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SceneSummary>& c) {
-  v.answer("Scene", "A scene: its model, and where its log stands.");
+  v.answer("Scene", "A scene: its model and the state of its log.");
   v.text("id", c.id, "Id of the scene, for addresses.");
   v.text("name", c.name, "Name of the scene.");
   v.counter("revision", c.revision, "Number of the newest entry of its log.");
   v.text("model", c.model, "Name of a built-in model, or the format of the file.");
   v.text("model_id", c.model_id,
-         "Equal as long as the mesh is: clients may keep what they know of the mesh under it. Uploads and subdivisions "
-         "change it; a restart may.");
+         "Id of the mesh, as a key for caches of it. Uploads and subdivisions change it; a restart may.");
   v.word("fur_patches", c.fur_patches, json_names::fur_patches);
   v.number(sparse("metres_per_unit"), c.metres_per_unit, metres,
-           "Metres of a unit of the model's file, where its format says it (glTF).");
+           "Metres per unit of the model's file, if its format states it (glTF).");
   report_members(v, c.report);
   v.hash("fields_hash", c.fields_hash);
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
   v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
-  v.objects("coats", c.coats, {0, limits::coats},
-            "Coats, as set_coats takes them back; none where the model is damaged.");
+  v.objects("coats", c.coats, {0, limits::coats}, "Coats, as set_coats takes them; none if the model is damaged.");
   v.objects("edit_layers", c.edit_layers, {0, limits::edit_layers}, "Edit layers, from the lowest.");
   v.text("damage", c.damage,
-         "What is damaged of its journal; empty for nothing. Such a scene is as it was before the damage and refuses "
-         "changes (409); it can be looked at, exported and branched, unless its model is what is damaged.",
+         "Damage of its journal; empty for none. A damaged scene has its state from before the damage and refuses "
+         "changes (409); it can be viewed, exported and branched, unless its model is damaged.",
          any_length);
-  v.object(sparse("carried"), c.carried, "In the answer to a new version of the model.");
+  v.object(sparse("carried"), c.carried,
+           "How the groom was transferred; only in the answer to a new version of the model.");
 }
 
 template <class V>
@@ -240,9 +238,9 @@ template <class V>
 void members(V& v, Visited<V, FieldChange>& c) {
   v.answer("FieldChange", "How much a field changed.");
   v.word("field", c.field, json_names::fields, "Field that changed.");
-  v.counter("changed", c.changed, "Number of vertices of which a bit changed.");
+  v.counter("changed", c.changed, "Number of vertices that changed in any bit.");
   v.number("mean_change", c.mean_change, not_negative.in("the field's unit"),
-           "Mean change over these vertices, in the field's unit; of several channels the length of the difference.");
+           "Mean change over these vertices, in the field's unit; for several channels, the length of the difference.");
   v.number("max_change", c.max_change, not_negative.in("the field's unit"), "Largest change, in the field's unit.");
 }
 
@@ -250,15 +248,15 @@ template <class V>
 void members(V& v, Visited<V, CommandResult>& c) {
   v.answer("CommandResult", "What one command did.");
   v.text("op", c.op, "The command's `op`.");
-  v.counter("touched", c.touched, "Number of vertices of which a bit changed.");
+  v.counter("touched", c.touched, "Number of vertices that changed in any bit.");
   v.number("mean_change", c.mean_change, not_negative.in("the field's unit"),
            "Mean change of the first field that changed, over its changed vertices, in its unit.");
   v.number("max_change", c.max_change, not_negative.in("the field's unit"),
            "Largest change of that field, in its unit.");
-  v.counter("clamped", c.clamped, "Number of vertices at which a value was held at its limit.");
-  v.number("milliseconds", c.milliseconds, not_negative.in("milliseconds"), "Time that it took.");
+  v.counter("clamped", c.clamped, "Number of vertices at which a value was clamped to its range.");
+  v.number("milliseconds", c.milliseconds, not_negative.in("milliseconds"), "Time that the command took.");
   v.objects("fields", c.fields, any_count, "Fields that changed.");
-  v.texts("warnings", c.warnings, "What was done as asked but is hardly meant, such as a brush finer than the mesh.");
+  v.texts("warnings", c.warnings, "Effects that were probably not intended, such as of a brush finer than the mesh.");
 }
 
 template <class V>
@@ -271,9 +269,9 @@ void members(V& v, Visited<V, CommandAnswer>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Comparison>& c) {
-  v.answer("Comparison", "What two revisions differ in.");
-  v.counter("from", c.from, "The one revision.");
-  v.counter("to", c.to, "The other revision.");
+  v.answer("Comparison", "Differences between two revisions.");
+  v.counter("from", c.from, "First revision.");
+  v.counter("to", c.to, "Second revision.");
   v.counter("touched", c.touched, "Number of vertices at which any field differs.");
   v.objects("fields", c.fields, any_count, "Fields that differ.");
 }
@@ -283,41 +281,40 @@ void members(V& v, Visited<V, LogEntry>& c) {
   v.answer("LogEntry", "One entry of the log.");
   v.counter("revision", c.revision, "Revision that it made.");
   v.word("kind", c.kind, json_names::entry_kinds,
-         "What the entry is. `join` and `replay` belong to the undo step of the entry before.");
+         "Kind of entry. `join` and `replay` belong to the undo step of the entry before.");
   v.counter("step", c.step,
-            "Number of the step whose commands these are: the revision that made it first. An `amend` leaves it to the "
-            "step that it changes and to those that it replays. 0 of undo, redo and revert.");
+            "Number of the step that these commands belong to: the revision that first made it. Steps that an amend "
+            "changes or replays keep theirs. 0 for undo, redo and revert.");
   v.counter("touched", c.touched, "Number of vertices that it changed.");
-  v.boolean("in_effect", c.in_effect,
-            "Whether its commands are among those that lead to the present: they can be amended.");
+  v.boolean("in_effect", c.in_effect, "Whether its commands are part of the present state, and so can be amended.");
   v.text("author", c.author, "Name from the `Pelage-Author` of the request that made it; empty where none was named.");
-  v.json(sparse("commands"), c.commands, "The commands as they were resolved.");
+  v.json(sparse("commands"), c.commands, "The resolved commands.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Log>& c) {
-  v.answer("Log", "The log since the model came.");
+  v.answer("Log", "The log since the model was loaded.");
   v.objects("entries", c.entries, any_count, "Entries, the oldest first.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SceneEvent>& c) {
-  v.answer("SceneEvent", "What a scene is when its news begin and when its mesh is another.");
+  v.answer("SceneEvent", "State of a scene, sent when its events begin and when its mesh changes.");
   v.counter("revision", c.revision, "Revision of the scene.");
-  v.counter("first_revision", c.first_revision, "Revision at which the model came; the log has those after it.");
+  v.counter("first_revision", c.first_revision, "Revision at which the model was loaded; the log begins after it.");
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone.");
   v.counter("redo_steps", c.redo_steps, "Steps that can be redone.");
-  v.text("model_id", c.model_id, "Name of the mesh, the same as in `Scene`.");
+  v.text("model_id", c.model_id, "Id of the mesh, as in `Scene`.");
 }
 
 template <class V>
 void members(V& v, Visited<V, ChangeEvent>& c) {
-  v.answer("ChangeEvent", "One line of the log without its commands.");
+  v.answer("ChangeEvent", "An entry of the log without its commands.");
   v.counter("revision", c.revision, "Revision that the change made.");
   v.word("kind", c.kind, json_names::entry_kinds,
-         "What the change is. `join` and `replay` belong to the undo step of the entry before.");
+         "Kind of change. `join` and `replay` belong to the undo step of the entry before.");
   v.counter("argument", c.argument, "Steps of `undo` and `redo`; the revision that `revert` goes back to; else 0.");
-  v.text("author", c.author, "Who made it, the same as in `LogEntry`.");
+  v.text("author", c.author, "Author of the change, as in `LogEntry`.");
   v.texts("ops", c.ops, "The `op` of its commands, each once.");
   v.counter("touched", c.touched, "Number of vertices that it changed.");
   v.counter("undo_steps", c.undo_steps, "Steps that can be undone after it.");
@@ -339,7 +336,7 @@ void members(V& v, Visited<V, PaintedValues>& c) {
                                           "Factor on how stiff fur is in the wind."};
   static_assert(std::size(words) == std::tuple_size_v<PaintedValues>);
   v.answer("PaintedValues",
-           "What is painted at a place. A colour is linear red, green and blue, and how much of the coat's colour it "
+           "Painted fields at a point. A colour is linear red, green and blue, and how much of the coat's colour it "
            "covers.");
   for (std::size_t i = 0; i < c.size(); ++i) {
     const FieldShape& shape = field_shapes[first_painted + i];
@@ -352,69 +349,69 @@ void members(V& v, Visited<V, PaintedValues>& c) {
 template <class V>
 void members(V& v, Visited<V, PickedStrand>& c) {
   v.answer("PickedStrand", "The strand that covers most of a pixel.");
-  v.integer("id", c.id, {1, 16777216}, "Its number, as the AOV strand has it.");
-  v.name("kind", c.kind, json_names::strand_kinds, "Whether it is of a coat or a curve, such as a whisker.");
+  v.integer("id", c.id, {1, 16777216}, "Its number, as in the AOV strand.");
+  v.name("kind", c.kind, json_names::strand_kinds, "Whether it belongs to a coat or is a curve, such as a whisker.");
   v.text(sparse("coat"), c.coat, "Name of its coat; absent for a curve.");
-  v.number("along", c.along, share, "Where on it the pixel lies: 0 at its root, 1 at its tip.");
-  v.position("root", c.root, "Where it stands.");
+  v.number("along", c.along, share, "Position of the pixel along it: 0 at its root, 1 at its tip.");
+  v.position("root", c.root, "Position of its root.");
 }
 
 template <class V>
 void members(V& v, Visited<V, TouchLimits>& c) {
-  v.answer("TouchLimits", "How many vertices a command has to touch; who runs the step compares.");
-  v.counter("command", c.command, "Number of the command in its step, from 0.");
-  v.counter(sparse("min_vertices"), c.min_vertices, "Least number of vertices; none where it is not given.");
-  v.counter(sparse("max_vertices"), c.max_vertices, "Greatest number of vertices; none where it is not given.");
+  v.answer("TouchLimits", "Limits on the vertices that a command touches; the client that runs the step checks them.");
+  v.counter("command", c.command, "Index of the command in its step, from 0.");
+  v.counter(sparse("min_vertices"), c.min_vertices, "Smallest number of vertices; absent: no limit.");
+  v.counter(sparse("max_vertices"), c.max_vertices, "Largest number of vertices; absent: no limit.");
 }
 
 template <class V>
 void members(V& v, Visited<V, RecipeStep>& c) {
-  v.answer("RecipeStep", "One undo step, with variables and places filled in.");
+  v.answer("RecipeStep", "One undo step, with variables and positions filled in.");
   v.objects("commands", c.commands, {1, limits::commands_per_batch}, "Commands to run as one step.");
-  v.text("file", c.file, "Name of the file that the step stands in.", limits::file_name_bytes);
+  v.text("file", c.file, "Name of the file that contains the step.", limits::file_name_bytes);
   v.text("pointer", c.pointer, "JSON pointer to the step, within the request.", any_length);
-  v.objects("asserts", c.asserts, any_count, "What the recipe asserts of the commands.");
+  v.objects("asserts", c.asserts, any_count, "Limits that the recipe asserts for the commands.");
 }
 
 template <class V>
 void members(V& v, Visited<V, RecipeAnswer>& c) {
   v.answer("RecipeAnswer", "The steps of a recipe for this model, none of them run yet.");
   v.counter("revision", c.revision, "Revision of the scene that picks were made in.");
-  v.objects("steps", c.steps, any_count, "Steps in their order.");
+  v.objects("steps", c.steps, any_count, "Steps, in order.");
 }
 
 template <class V>
 void members(V& v, Visited<V, PickAnswer>& c) {
-  v.answer("Pick", "What lies under a pixel.");
-  v.boolean(tag("hit"), c.hit, "Whether the model lies under the pixel.");
+  v.answer("Pick", "What a pick found.");
+  v.boolean(tag("hit"), c.hit, "Whether the model was hit.");
   v.object(sparse("strand"), c.strand,
-           "The strand that is seen there, beside the model too; absent where skin or nothing shows more.");
+           "The strand that shows most at the pixel, also where no skin is behind it; absent if skin or nothing shows "
+           "more.");
   if (!v.takes(c.hit)) return;
-  v.seed("triangle", c.triangle, "Number of the triangle.");
+  v.seed("triangle", c.triangle, "Index of the triangle.");
   v.vector("barycentric", c.barycentric, share, "Weights of the triangle's corners.");
-  v.position("position", c.position, "Where the model was hit.");
+  v.position("position", c.position, "Position of the hit.");
   v.vector("normal", c.normal, any_number.in("unit vector"), "Normal of the skin, a unit vector.");
   v.vector("direction", c.direction, any_number.in("unit vector"),
-           "Where the fur leans, a unit vector; 0 when it stands upright.");
+           "Direction that the fur leans in, a unit vector; 0 if upright.");
   v.number("inclination", c.inclination, {0, 1 + 1e-6, "share"}, "How far the fur leans: 0 upright, 1 lying.");
   v.number("length", c.length, not_negative.in("sizes"), "Length of the fur.");
-  v.number("stretch", c.stretch, not_negative.in("share"), "What the field stretch holds.");
+  v.number("stretch", c.stretch, not_negative.in("share"), "Value of the field stretch.");
   v.object("painted", c.painted);
 }
 
 template <class V>
 void members(V& v, Visited<V, Problem>& c) {
-  v.answer("Problem", "A refusal, as RFC 9457 has it.");
-  v.text(
-      "type", c.type,
-      "Name of the kind of problem: `urn:pelage:problem:` and a name, or `about:blank` where the status says it all.",
-      any_length);
+  v.answer("Problem", "A refusal, as a problem document (RFC 9457).");
+  v.text("type", c.type,
+         "Name of the kind of problem: `urn:pelage:problem:` and a name, or `about:blank` if the status says it all.",
+         any_length);
   v.text("title", c.title, "What went wrong, the same for all problems of the type.", any_length);
   v.integer("status", c.status, {400, 599}, "Status of the answer.");
   v.text("detail", c.detail, "What went wrong this time.", any_length);
   v.text(sparse("pointer"), c.pointer, "JSON pointer of the bad field; empty for the whole body.", any_length);
-  v.text(sparse("limit"), c.limit, "Limit that was broken.", any_length);
-  v.text(sparse("nearest"), c.nearest, "Nearest known name to an unknown one.", any_length);
+  v.text(sparse("limit"), c.limit, "Limit that was violated.", any_length);
+  v.text(sparse("nearest"), c.nearest, "Known name nearest to an unknown one.", any_length);
 }
 
 }  // namespace pelage::json_parts

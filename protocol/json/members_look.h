@@ -11,8 +11,8 @@ namespace pelage::json_parts {
 
 template <class V>
 void members(V& v, Visited<V, RampStop>& c) {
-  v.type("RampStop", "A colour at a height of the strand.");
-  v.number(required("at"), c.at, share, "Height on the strand: 0 root, 1 tip. It rises from stop to stop.");
+  v.type("RampStop", "A colour at a position along the strand.");
+  v.number(required("at"), c.at, share, "Position along the strand: 0 root, 1 tip. It rises from stop to stop.");
   v.colour(required("colour"), c.colour, "Colour of the strand there.");
 }
 
@@ -20,8 +20,8 @@ template <class V>
 void members(V& v, Visited<V, Undercoat>& c) {
   v.type("Undercoat", "Short, fine strands under the others.");
   v.number("share", c.share, share, "Share of the strands that belong to it.");
-  v.number("length", c.length, {0.02, 1, "factor"}, "Length over the overcoat's.");
-  v.number("width", c.width, {0.05, 4, "factor"}, "Width over the overcoat's.");
+  v.number("length", c.length, {0.02, 1, "factor"}, "Factor on the overcoat's length.");
+  v.number("width", c.width, {0.05, 4, "factor"}, "Factor on the overcoat's width.");
   v.number("lightness", c.lightness, {0, 4, "factor"}, "Factor on the ramp's colour.");
   v.number("tint", c.tint, share, "How far `colour` replaces the ramp's.");
   v.colour("colour", c.colour, "Colour that `tint` mixes in.");
@@ -30,35 +30,36 @@ void members(V& v, Visited<V, Undercoat>& c) {
 template <class V>
 void members(V& v, Visited<V, Ticking>& c) {
   v.type("Ticking", "Single hairs that have a colour of their own.");
-  v.number("share", c.share, share, "Share of the strands that have it.");
+  v.number("share", c.share, share, "Share of the overcoat's strands that have it.");
   v.colour("colour", c.colour, "Colour of these hairs.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Tufts>& c) {
   v.type("Tufts",
-         "Clumps larger than the tile, gathered about places on the body, so that the fur does not repeat and has form "
-         "at a distance. Each finer scale is .45 of the one before.");
-  v.number("gather", c.gather, share, "How far tips go to the middle of their tuft.");
-  v.number("size", c.size, {0.01, 1, "sizes"}, "Mean distance of the largest tufts.");
-  v.integer("scales", c.scales, {1, 3}, "How many scales of tufts there are.");
+         "Clumps larger than the tile, around points of the body, so that the fur does not repeat and has form at a "
+         "distance. Each finer scale is .45 of the one before.");
+  v.number("gather", c.gather, share, "How far tips move to the middle of their tuft; at 1 by .6 of the distance.");
+  v.number("size", c.size, {0.01, 1, "sizes"}, "Mean distance between the largest tufts.");
+  v.integer("scales", c.scales, {1, 3}, "Number of scales of tufts.");
   v.seed("seed", c.seed, "Other seeds give other tufts.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Pattern>& c) {
-  v.type("Pattern", "Markings by where a root is, with y up and the nose at +z; no UVs are needed.");
+  v.type("Pattern", "Markings by a root's position, with y up and the nose at +z; they need no UVs.");
   v.name("kind", c.kind, json_names::pattern_kinds, "Kind of the markings.");
   v.number("scale", c.scale, feature_size, "Distance from one marking to the next.");
   v.number("coverage", c.coverage, share,
-           "Share of the surface that is marked. For countershading how far up it reaches.");
+           "Share of the surface that is marked; for countershading how far up it reaches.");
   v.number("contrast", c.contrast, share, "How far markings replace the coat's colour.");
-  v.number("softness", c.softness, share, "Width of a marking's edge over the marking's.");
+  v.number("softness", c.softness, share, "Width of a marking's edge over the marking's width.");
   v.number("warp", c.warp, {0, 2, "markings"}, "How far noise bends the markings, in distances from one to the next.");
-  v.number("legs", c.legs, share, "How far stripes turn to rings on legs and haunches, and rosettes fill there.");
-  v.number("inner", c.inner, share, "How far inner_colour is seen: in rosettes, as second patches, between stripes.");
-  v.number("belly", c.belly, share, "How far the underside takes belly_colour and loses its markings.");
-  v.direction("axis", c.axis, "Direction in which stripes follow each other.");
+  v.number("legs", c.legs, share,
+           "How far stripes become rings on legs and haunches, and rosettes solid spots on legs.");
+  v.number("inner", c.inner, share, "Strength of `inner_colour`: in rosettes, as second patches, between stripes.");
+  v.number("belly", c.belly, share, "How far the underside takes `belly_colour` and loses its markings.");
+  v.direction("axis", c.axis, "Direction from one stripe to the next.");
   v.colour("colour", c.colour, "Colour of the markings.");
   v.colour("inner_colour", c.inner_colour, "Colour inside rosettes, of second patches and between stripes.");
   v.colour("belly_colour", c.belly_colour, "Colour of the belly.");
@@ -72,7 +73,7 @@ void members(V& v, Visited<V, Variation>& c) {
   v.number("hue", c.hue, share, "How much hue changes; at 1 from a third towards blue to a third towards red.");
   v.number("length", c.length, share, "How much length changes; at 1 from none to twice.");
   v.number("lean", c.lean, share, "How much the inclination changes; at 1 over its whole range.");
-  v.number("size", c.size, feature_size, "Distance from one swell to the next.");
+  v.number("size", c.size, feature_size, "Distance from one crest to the next.");
 }
 
 template <class V>
@@ -82,30 +83,30 @@ void members(V& v, Visited<V, Coat>& c) {
   v.number("tile", c.tile, {0.01, 1, "sizes"}, "Side of the tile.");
   v.number("width_root", c.width_root, {0, 0.05, "sizes"}, "Width of a strand at its root.");
   v.number("width_tip", c.width_tip, {0, 0.05, "sizes"}, "Width of a strand at its tip.");
-  v.number("bend", c.bend, {0, 2, "strand lengths"}, "How far a strand bows to a side.");
-  v.number("curl", c.curl, {0, 0.5, "strand lengths"}, "Radius of the strand's helix.");
+  v.number("bend", c.bend, {0, 2, "times 0.03 sizes"}, "How far a strand bows to a side; at most by its length.");
+  v.number("curl", c.curl, {0, 0.5, "times 0.03 sizes"}, "Radius of the strand's helix.");
   v.number("curl_turns", c.curl_turns, {0, 20, "turns"}, "Turns of the helix from root to tip.");
   v.number("curl_together", c.curl_together, share, "How far the strands of a clump curl as one lock.");
-  v.number("wave", c.wave, {0, 0.5, "strand lengths"}, "Amplitude of a sine in one plane.");
+  v.number("wave", c.wave, {0, 0.5, "times 0.03 sizes"}, "Amplitude of a sine in one plane.");
   v.number("wave_turns", c.wave_turns, {0, 20, "waves"}, "Waves from root to tip.");
-  v.number("mess", c.mess, share, "How far each strand goes and bows its own way.");
+  v.number("mess", c.mess, share, "How far strands lean and bow each their own way.");
   v.number("clump", c.clump, share, "How far tips gather to the middle of their clump.");
-  v.number("clump_size", c.clump_size, clump_size, "Mean distance of clumps.");
+  v.number("clump_size", c.clump_size, clump_size, "Mean distance between clumps.");
   v.number("fine_clump", c.fine_clump, share, "How far strands gather to locks inside their clump.");
-  v.number("fine_clump_size", c.fine_clump_size, clump_size, "Mean distance of the locks inside a clump.");
+  v.number("fine_clump_size", c.fine_clump_size, clump_size, "Mean distance between the locks inside a clump.");
   v.number("lodge", c.lodge, share, "How far patches of strands are pressed to one side.");
-  v.number("lodge_size", c.lodge_size, clump_size, "Mean distance of the pressed patches.");
+  v.number("lodge_size", c.lodge_size, clump_size, "Mean distance between the pressed patches.");
   v.number("wetness", c.wetness, share,
            "How wet the coat is: tighter clumps, darker (absorption up to 1.8 times) and shinier fur (highlight up to "
            "twice as strong).");
   v.number("length_spread", c.length_spread, share, "Share of the length that is random.");
   v.number("warmth_spread", c.warmth_spread, share,
-           "Change of hue from strand to strand, to red and to blue, at the same lightness: 1 is up to twice the one "
-           "over the other.");
+           "Change of hue from strand to strand, to red or blue, at the same lightness; at 1 red over blue goes from "
+           "half to twice.");
   v.number("colour_spread", c.colour_spread, share, "Change of lightness from strand to strand.");
-  v.number("root_share", c.root_share, share, "Angle at the root over angle at the tip: 0 plush, .6 sleek.");
+  v.number("root_share", c.root_share, share, "Angle of lean at the root over that at the tip: 0 plush, .6 sleek.");
   v.name("lean_curve", c.lean_curve, json_names::lean_curves,
-         "How a strand bends as it leans: in an arc, or most at the root, as y = K sqrt(x).");
+         "Curve of a leaning strand. arc: a circular arc. root: bent most at the root, y = K sqrt(x).");
   v.objects("ramp", c.ramp, {1, limits::ramp_stops}, "Colour along the strand.");
   v.object("undercoat", c.undercoat);
   v.integer("guard_hairs", c.guard_hairs, {0, 100000},
@@ -126,9 +127,9 @@ void members(V& v, Visited<V, Iris>& c) {
   v.colour("inner_colour", c.inner_colour, "Colour around the pupil.");
   v.number("size", c.size, {0.1, 0.95, "radii of the eye"}, "Radius of the disc.");
   v.number("depth", c.depth, {0, 0.5, "radii of the eye"}, "Depth of the disc below the cornea's rim.");
-  v.number("relief", c.relief, {0, 0.2, "radii of the eye"}, "Height of the fibres; held at the depth.");
+  v.number("relief", c.relief, {0, 0.2, "radii of the eye"}, "Height of the fibres, at most the depth.");
   v.number("limbal_ring", c.limbal_ring, share, "Darkness of the ring around the iris.");
-  v.number("turn_degrees", c.turn_degrees, {-360, 360, "degrees"}, "How far the fibres are turned around the axis.");
+  v.number("turn_degrees", c.turn_degrees, {-360, 360, "degrees"}, "Rotation of the fibres around the axis.");
 }
 
 template <class V>
@@ -136,15 +137,14 @@ void members(V& v, Visited<V, Pupil>& c) {
   v.type("Pupil", "The opening of an iris.");
   v.name("shape", c.shape, json_names::pupil_shapes, "Form of the opening.");
   v.number_or("automatic", "size", c.size, share,
-              "Size as a share of the iris: 0 closed, 1 all of it. `automatic` answers the light.");
+              "Size as a share of the iris: 0 closed, 1 all of it. `automatic` adapts to the light.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Lids>& c) {
-  v.type(
-      "Lids",
-      "Skin around the eye that leaves an almond open, and shades what lies under it. Angles are seen from the eye's "
-      "centre. Without this block the eye has no lids.");
+  v.type("Lids",
+         "Skin around the eye with an almond-shaped opening; it shades the eye. Angles are seen from the eye's centre. "
+         "Without this block the eye has no lids.");
   v.direction("facing", c.facing, "Middle of the opening; where the eye looks when it is not given.");
   v.number("width_degrees", c.width_degrees, {1, 90, "degrees"}, "Angle from the middle of the opening to a corner.");
   v.number("upper_degrees", c.upper_degrees, {-90, 90, "degrees"},
@@ -152,18 +152,17 @@ void members(V& v, Visited<V, Lids>& c) {
   v.number("lower_degrees", c.lower_degrees, {-90, 90, "degrees"},
            "Angle from the middle of the opening down to the lower lid.");
   v.number("tilt_degrees", c.tilt_degrees, {-180, 180, "degrees"},
-           "How far the opening is turned, counter-clockwise seen from the front.");
+           "Rotation of the opening, counter-clockwise as seen from the front.");
   v.colour("colour", c.colour, "Colour of the lids.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Eye>& c) {
-  v.type("Eye",
-         "A ball with a bulging cornea. Lengths of its parts are in its radii. It takes a gaze or a point to look at.");
+  v.type("Eye", "A ball with a bulging cornea. Lengths of its parts are in its radii. It takes `gaze` or `look_at`.");
   v.position(required("position"), c.position, "Centre of the ball.");
   v.number(required("radius"), c.radius, {limits::min_eye_radius, 1e6, "sizes"}, "Radius of the ball.");
   if (v.shows(!c.look_at)) v.direction("gaze", c.gaze, "Direction in which the eye looks.");
-  v.position("look_at", c.look_at, "The point that it looks at; not its own position.");
+  v.position("look_at", c.look_at, "Point that the eye looks at; not its own position.");
   v.object("iris", c.iris, "The eye's iris.");
   v.object("pupil", c.pupil, "The eye's pupil.");
   v.object("lids", c.lids, "Skin around the eye. Without this block the eye has no lids.");
@@ -176,19 +175,19 @@ void members(V& v, Visited<V, Eye>& c) {
 template <class V>
 void members(V& v, Visited<V, CurveGroup>& c) {
   v.type("CurveGroup",
-         "Curves of one kind. Guides are drawn as they are given, and between each two that follow each other more are "
-         "filled in. They take the look's shading model, and cast shadows where strands are traced.");
+         "Curves of one kind. Guides are drawn as given; more are filled in between each two neighbours. They take the "
+         "look's shading model, and cast shadows only where strands are traced.");
   v.curves(required("curves"), c.curves, {1, limits::curves}, {2, limits::curve_points},
            "Guides: the points that a smooth curve passes through, root first.");
   v.number("width_root", c.width_root, {0, 0.1, "sizes"}, "Width of a curve at its root.");
   v.number("width_tip", c.width_tip, {0, 0.1, "sizes"}, "Width of a curve at its tip.");
   v.colour("root_colour", c.root_colour, "Colour at the root.");
   v.colour("tip_colour", c.tip_colour, "Colour at the tip.");
-  v.integer("fill", c.fill, {0, limits::curves - 1}, "Curves between each two guides that follow each other.");
+  v.integer("fill", c.fill, {0, limits::curves - 1}, "Number of curves between each two neighbouring guides.");
   v.number(
       "spread", c.spread, share,
-      "How far filled curves stray: at 1 half of their length, 30 degrees, and half of the way to the next curve.");
-  v.seed("seed", c.seed, "Other seeds let filled curves stray another way.");
+      "How far filled curves stray: at 1 by up to half their length, 30 degrees, and half the distance to the next.");
+  v.seed("seed", c.seed, "Other seeds give other filled curves.");
 }
 
 template <class V>
@@ -196,8 +195,9 @@ void members(V& v, Visited<V, SkinFacing>& c) {
   v.type("SkinFacing",
          "Only skin whose normal lies near a direction belongs to the region. Without this block all of it does.");
   v.direction(required("direction"), c.direction, "Direction that the skin faces.");
-  v.number("angle_degrees", c.angle_degrees, half_circle, "Angle from the direction within which the region is whole.");
-  v.number("fade_degrees", c.fade_degrees, half_circle, "Angle beyond that over which the region ends.");
+  v.number("angle_degrees", c.angle_degrees, half_circle,
+           "Angle from the direction within which the region has full effect.");
+  v.number("fade_degrees", c.fade_degrees, half_circle, "Further angle over which the region fades out.");
 }
 
 template <class V>
@@ -210,19 +210,19 @@ void members(V& v, Visited<V, SkinBumps>& c) {
 template <class V>
 void members(V& v, Visited<V, SkinRegion>& c) {
   v.type("SkinRegion",
-         "An ellipsoid: skin inside it has no fur and a look of its own. Where regions meet, the later lies over the "
-         "earlier.");
+         "An ellipsoid: skin inside it has no fur and a look of its own. Where regions overlap, the later one covers "
+         "the earlier.");
   v.position(required("centre"), c.centre, "Centre of the ellipsoid.");
   v.vector(required("radii"), c.radii, {limits::min_skin_radius, 1e6, "sizes"},
-           "The three radii. The third lies along the axis, the first is level, the second is upright where the axis "
-           "is level.");
+           "The three radii. The third lies along the axis, the first is horizontal, the second vertical if the axis "
+           "is horizontal.");
   v.direction("axis", c.axis, "Direction of the third radius.");
   v.number("turn_degrees", c.turn_degrees, {-180, 180, "degrees"},
-           "How far the ellipsoid is turned around the axis, counter-clockwise as seen from its tip.");
+           "Rotation around the axis, counter-clockwise as seen from its tip.");
   v.number("softness", c.softness, {0, 10, "radii of the region"},
-           "How far outside the region fur takes to reach its whole length. The colour ends within half of that.");
+           "Distance outside the region over which fur grows to full length. The colour fades out over half of it.");
   v.object("facing", c.facing,
-           "Keeps the region to skin that faces one way. Without this block all skin inside it belongs to the region.");
+           "Limits the region to skin that faces a direction. Without this block all skin inside it belongs to it.");
   v.colour("colour", c.colour, "Colour of the skin.");
   v.number("shine", c.shine, share, "Reflectance: 0 none, 0.5 that of skin, 1 twice that.");
   v.number("roughness", c.roughness, {0.02, 1, "share"}, "Width of the highlight.");
@@ -241,10 +241,11 @@ void members(V& v, Visited<V, FibreOptics>& c) {
   v.number("azimuthal_roughness", c.azimuthal_roughness, share,
            "Roughness around the strand, beta_n. Used by energy_conserving.");
   v.number("cuticle_tilt", c.cuticle_tilt, {-15, 15, "degrees"},
-           "Tilt of the cuticle, which turns reflected light to the root.");
+           "Tilt of the cuticle, which shifts highlights to the root. Not used by scheuermann.");
   v.number("refractive_index", c.refractive_index, {1, 3, "refractive index"},
            "Refractive index of the strand. Used by energy_conserving and marschner.");
-  v.name("absorption", c.absorption, json_names::absorptions, "What the absorption is worked out from.");
+  v.name("absorption", c.absorption, json_names::absorptions,
+         "Source of the absorption: the fur's colour, or the melanins.");
   v.number("eumelanin", c.eumelanin, {0, 10000, "concentration"},
            "Concentration of eumelanin, which makes brown and black. Used with absorption melanin.");
   v.number("pheomelanin", c.pheomelanin, {0, 10000, "concentration"},
@@ -270,21 +271,20 @@ void members(V& v, Visited<V, Look>& c) {
   v.name("shading", c.shading, json_names::shading_models, "How fibres scatter light.");
   v.object("fibre", c.fibre);
   v.name("colour_source", c.colour_source, json_names::colour_sources,
-         "Where the colour of fur comes from. model: its texture or vertex colours. coat: the ramp. automatic: the "
-         "model's where it has colours.");
+         "Source of the fur's colour. model: the model's texture or vertex colours. coat: the ramp. automatic: model "
+         "where it has colours.");
   v.number("ambient", c.ambient, {0, 4, "factor"}, "Strength of the light from all around.");
   v.number("diffuse", c.diffuse, {0, 4, "factor"}, "Strength of diffuse light.");
   v.number("specular", c.specular, {0, 4, "factor"},
            "Strength of the highlight. Used by lengyel, kajiya, kajiya_kay and scheuermann.");
   v.number("diffuse_exponent", c.diffuse_exponent, {0, 1000000, "exponent"},
-           "How fast diffuse light falls as the light turns to the strand's own line. Used by lengyel and kajiya.");
+           "How fast diffuse light falls as the light aligns with the strand. Used by lengyel and kajiya.");
   v.number("specular_exponent", c.specular_exponent, {0, 1000000, "exponent"},
            "Sharpness of the highlight. Used by lengyel, kajiya, kajiya_kay and scheuermann.");
   v.number("back_attenuation", c.back_attenuation, {0.001, 1, "share"},
-           "How far behind the skin a light may stand before its light is gone, as the sine of the angle. Used by "
-           "lengyel, kajiya and kajiya_kay.");
+           "Sine of the angle behind the skin at which a light is gone. Used by lengyel, kajiya and kajiya_kay.");
   v.number("ambient_floor", c.ambient_floor, share, "Share of the ambient light that reaches the roots.");
-  v.number("self_shadow", c.self_shadow, {0, 4, "factor"}, "Factor on the optical depth from fur to the light.");
+  v.number("self_shadow", c.self_shadow, {0, 4, "factor"}, "Factor on the optical depth of fur towards a light.");
   v.colour("skin", c.skin, "Colour under the fur where the model has none.");
 }
 
@@ -292,28 +292,26 @@ template <class V>
 void members(V& v, Visited<V, Light>& c) {
   v.type("Light", "A light of the scene.");
   v.name("kind", c.kind, json_names::light_kinds,
-         "Kind of the light. area: a rectangle that shines along `direction` by the cosine, as bright from afar as a "
-         "point light. Shells see it from its middle.");
-  v.direction("direction", c.direction, "Where a directional, spot or area light goes.");
-  v.position("position", c.position, "Where a point, spot or area light stands.");
+         "Kind of the light. area: a rectangle that shines along `direction` by the cosine law, from afar as bright as "
+         "a point light. Shells take its centre.");
+  v.direction("direction", c.direction, "Direction in which a directional, spot or area light shines.");
+  v.position("position", c.position, "Position of a point, spot or area light.");
   v.colour("colour", c.colour, "Colour of the light.");
   v.number("intensity", c.intensity, {0, 100000000, "factor"},
-           "Brightness; 1 gives white. A point light's is measured at a distance of one size.");
+           "Brightness: 1 gives white, for a point or spot light at a distance of one size.");
   v.number("cone_degrees", c.cone_degrees, {0.1, 90, "degrees"}, "Half angle of a spot light.");
   v.number("cone_softness", c.cone_softness, share, "Share of the cone over which a spot light fades.");
   v.number("angle_degrees", c.angle_degrees, {0, 90, "degrees"},
            "Half angle that a directional light spans: wider lights cast softer shadows.");
   v.number("radius", c.radius, {0, 10, "sizes"},
-           "Radius of the ball that a point or spot light is: larger ones cast softer shadows.");
-  v.number("width", c.width, {0.001, 100, "sizes"}, "Width of an area light; its sides along it are level.");
+           "Radius of a point or spot light, a ball; larger ones cast softer shadows.");
+  v.number("width", c.width, {0.001, 100, "sizes"}, "Width of an area light; this side is horizontal.");
   v.number("height", c.height, {0.001, 100, "sizes"}, "Height of an area light.");
-  v.boolean(
-      "self_shadow_maps", c.self_shadow_maps,
-      "Draws shadow maps of the shells in place of the estimate. Only method shells with `shadow_maps` reads it.");
-  v.name(
-      "cast_shadow", c.cast_shadow, json_names::cast_shadows,
-      "Shadow of one part of the body on another, with a sharp edge, with one that `shadow_scale` widens, or blurred "
-      "by the light's size. Only method shells with `shadow_maps` reads it: strands take every light's shadow.");
+  v.boolean("self_shadow_maps", c.self_shadow_maps,
+            "Self-shadow from shadow maps in place of the estimate. Only for method shells with `shadow_maps`.");
+  v.name("cast_shadow", c.cast_shadow, json_names::cast_shadows,
+         "Shadow of one part of the body on another. hard: a sharp edge. soft: an edge by `shadow_scale`. penumbra: "
+         "blurred by the light's size. Only for method shells with `shadow_maps`; strands take every light's shadow.");
   v.number("shadow_scale", c.shadow_scale, {0, 1000, "factor"},
            "Larger makes the edge of a `soft` cast shadow narrower.");
 }
@@ -321,12 +319,12 @@ void members(V& v, Visited<V, Light>& c) {
 template <class V>
 void turn_member(V& v, Visited<V, Environment>& c) {
   v.number("turn_degrees", c.turn_degrees, {-360, 360, "degrees"},
-           "How far the harmonics are turned about +y, counter-clockwise seen from above.");
+           "Rotation of the harmonics about +y, counter-clockwise as seen from above.");
 }
 
 template <class V>
 void intensity_member(V& v, Visited<V, Environment>& c) {
-  v.number("intensity", c.intensity, {0, 100, "factor"}, "Factor on its light.");
+  v.number("intensity", c.intensity, {0, 100, "factor"}, "Factor on this light.");
 }
 
 template <class V>
@@ -348,31 +346,31 @@ void members(V& v, Visited<V, Environment>& c) {
 
 template <class V>
 void members(V& v, Visited<V, Ground>& c) {
-  v.type("Ground", "A level ground that catches shadow. It darkens the background and shows nothing else.");
+  v.type("Ground", "A horizontal ground that catches shadows. It only darkens the background.");
   v.boolean("visible", c.visible, "Whether there is a ground.");
-  v.number("height", c.height, coordinate, "Height of the ground, the model's y; its lowest point when absent.");
-  v.number("shadow", c.shadow, share, "How dark cast shadows get on it.");
-  v.number("contact", c.contact, share, "How dark it gets under the model.");
+  v.number("height", c.height, coordinate, "The model's y of the ground; the model's lowest point when absent.");
+  v.number("shadow", c.shadow, share, "Darkness of shadows that are cast on it.");
+  v.number("contact", c.contact, share, "How much it darkens under the model.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Wind>& c) {
   v.type("Wind",
-         "A wind over the whole scene, which moves the lean of its fur and never its length. At speed 0 nothing moves. "
-         "Fur .03 sizes long with a stiffness of 1 leans half over in a wind of one size per second; longer fur leans "
-         "further and sways slower, as does fur whose field `stiffness` is lower.");
+         "A wind over the whole scene, which changes the lean of fur and never its length. At speed 0 nothing moves. "
+         "Upright fur .03 sizes long with a `stiffness` of 1 leans about half over in a wind of one size per second; "
+         "longer or less stiff fur leans further and sways slower.");
   v.number("speed", c.speed, {0, limits::wind_speed, "sizes per second"},
            "Speed of the mean wind, and of the gusts that travel with it; 0 for none.");
-  v.direction("direction", c.direction, "Where the wind goes.");
-  v.number("gusts", c.gusts, {0, 10, "share"}, "How much its speed rises and falls.");
-  v.number("turbulence", c.turbulence, {0, 10, "share"}, "How much it turns and flickers, of its speed.");
+  v.direction("direction", c.direction, "Direction in which the wind blows.");
+  v.number("gusts", c.gusts, {0, 10, "share"}, "Strength of the gusts, as a share of `speed`.");
+  v.number("turbulence", c.turbulence, {0, 10, "share"}, "Strength of the turbulence, as a share of `speed`.");
   v.number("turbulence_scale", c.turbulence_scale, {0.001, 1000, "sizes"},
-           "Size of its largest eddies; gusts are four to sixteen times as long.");
+           "Size of the largest eddies; gusts are four to sixteen times as long.");
   v.seed("seed", c.seed, "Other seeds give other gusts and eddies.");
-  v.number("frequency", c.frequency, {0.01, 100, "hertz"}, "How fast fur .03 sizes long sways.");
+  v.number("frequency", c.frequency, {0.01, 100, "hertz"}, "How often fur .03 sizes long sways.");
   v.number("damping", c.damping, {0.01, 10, "ratio"},
-           "How soon swaying ends: 1 comes back without swinging over, less swings on.");
-  v.number("time", c.time, moment, "Time of the scene, which a frame shows unless it asks for another.");
+           "Damping of the swaying: 1 comes back without overshoot, less swings on.");
+  v.number("time", c.time, moment, "Time of the scene, the default `time` of frames.");
 }
 
 }  // namespace pelage::json_parts

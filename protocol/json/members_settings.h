@@ -18,31 +18,31 @@ void members(V& v, Visited<V, SetCoat>& c) {
 
 template <class V>
 void members(V& v, Visited<V, CoatBeginning>& c) {
-  v.type("CoatBeginning", "How the fields of a new coat begin: as those of another.");
-  v.text(sparse("from"), c.from, "Name of that coat; the first one of the scene unless given.");
+  v.type("CoatBeginning", "First fields of a new coat, copied from another coat.");
+  v.text(sparse("from"), c.from, "Name of the other coat; the first of the scene unless given.");
   v.name("region", c.region, json_names::coat_regions);
-  v.number("length", c.length, {0.01, 100, "factor"}, "Length over that of the other coat.");
+  v.number("length", c.length, {0.01, 100, "factor"}, "Factor on the other coat's lengths.");
 }
 
 template <class V>
 void members(V& v, Visited<V, CoatEntry>& c) {
   v.type("CoatEntry",
-         "A coat as set_coats places it. It is new where the scene has none of its id or, without one, of its name.");
+         "A coat in `set_coats`. It is new if the scene has none with its id or, without an id, with its name.");
   v.label(required("name"), c.name, "Name of the coat. Names differ.");
-  v.counter("id", c.id,
-            "Number of the coat from 0 to 7, which stays. A new one takes the lowest that is free unless given.");
-  v.boolean("muted", c.muted, "Whether it is left out: not drawn, not exported and not changed by tools.");
-  v.object("coat", c.coat,
-           "How its strands are made. Unless given they stay; a new coat takes those of the coat that it begins from.");
-  v.object("begins", c.begins, "How the fields of a new coat begin; refused for one that is there.");
+  v.counter("id", c.id, "Permanent number of the coat, 0 to 7. A new coat gets the lowest free one unless given.");
+  v.boolean("muted", c.muted, "Whether the coat is left out: not drawn, exported or changed by tools.");
+  v.object(
+      "coat", c.coat,
+      "How its strands are made; unchanged unless given, and for a new coat those of the coat that it begins from.");
+  v.object("begins", c.begins, "First fields of a new coat; refused for one that exists.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetCoats>& c) {
   v.type("SetCoats",
-         "Names the coats of the scene, in their order: makes, renames, mutes and orders them, and removes those that "
-         "are left out, with their fields. Each has its own strands and fields; `bare` and `mask` are shared by all. "
-         "Where its density is above 0 is its region. One at least is not muted.");
+         "Sets all coats of the scene in their order: makes, renames, mutes and orders them, and removes those that "
+         "are left out, with their fields. Each has its own strands and fields; `bare` and `mask` are shared. A coat's "
+         "region is where its density is above 0. At least one is not muted.");
   v.objects(required("coats"), c.coats, {1, limits::coats}, "All coats of the scene.");
 }
 
@@ -50,8 +50,8 @@ template <class V>
 void members(V& v, Visited<V, NamedCoat>& c) {
   v.answer("NamedCoat", "A coat of the scene.");
   v.text("name", c.name, "Name of the coat.");
-  v.counter("id", c.id, "Number of the coat, which stays.");
-  v.boolean("muted", c.muted, "Whether it is left out.");
+  v.counter("id", c.id, "Permanent number of the coat.");
+  v.boolean("muted", c.muted, "Whether the coat is left out.");
   v.object("coat", c.coat, "How its strands are made.");
 }
 
@@ -63,7 +63,7 @@ void members(V& v, Visited<V, SetLook>& c) {
 
 template <class V>
 void members(V& v, Visited<V, SetLights>& c) {
-  v.type("SetLights", "Places all lights of the scene; an empty list leaves the light from all around alone.");
+  v.type("SetLights", "Sets all lights of the scene; with an empty list only the environment lights it.");
   v.objects(required("lights"), c.lights, {0, limits::lights}, "All lights of the scene.");
 }
 
@@ -75,7 +75,7 @@ void members(V& v, Visited<V, SetEnvironment>& c) {
 
 template <class V>
 void members(V& v, Visited<V, SetGround>& c) {
-  v.type("SetGround", "Sets a ground that catches shadow.");
+  v.type("SetGround", "Sets a ground that catches shadows.");
   v.object(required("ground"), c.ground, "The new ground.");
 }
 
@@ -87,74 +87,72 @@ void members(V& v, Visited<V, SetWind>& c) {
 
 template <class V>
 void members(V& v, Visited<V, SetEyes>& c) {
-  v.type("SetEyes", "Places all eyes of the scene; an empty list takes them away. A new creature has two.");
+  v.type("SetEyes", "Sets all eyes of the scene; an empty list removes them. A new creature has two.");
   v.objects(required("eyes"), c.eyes, {0, limits::eyes}, "All eyes of the scene.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetCurves>& c) {
-  v.type(
-      "SetCurves",
-      "Places all whiskers, lashes and brows of the scene; an empty list takes them away. At most 4096 curves in all, "
-      "filled ones too. A new creature has some.");
+  v.type("SetCurves",
+         "Sets all whiskers, lashes and brows of the scene; an empty list removes them. At most 4096 curves, including "
+         "filled ones. A new creature has some.");
   v.objects(required("groups"), c.groups, {0, limits::curve_groups}, "All groups of curves of the scene.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetSkin>& c) {
   v.type("SetSkin",
-         "Places all regions of bare skin; an empty list takes them away. A new creature has a nose, lips, ears and "
-         "pads.");
+         "Sets all regions of bare skin; an empty list removes them. A new creature has a nose, lips, ears and pads.");
   v.objects(required("regions"), c.regions, {0, limits::skin_regions}, "All regions of bare skin.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetSkinTexture>& c) {
   v.type("SetSkinTexture",
-         "Lays a picture on the model by its texture coordinates, in place of all colours of its own. `picture` is the "
-         "name that the log has after an upload to `skin_texture`, made from the pixels alone; a picture that no scene "
-         "of this server has used is refused. `own` takes it off again.");
+         "Lays a picture on the model by its texture coordinates, in place of the model's own colours. `picture` is "
+         "the name that an upload to `skin_texture` writes to the log, made from the pixels alone; a picture that no "
+         "scene of this server has used is refused. `own` removes it.");
   v.picture(required("picture"), c.picture, "Name of an uploaded picture, or `own` for the model's own colours.",
             "own");
 }
 
 template <class V>
 void members(V& v, Visited<V, NamedBlower>& c) {
-  v.type("NamedBlower", "A wind that stays in the scene under a name.");
+  v.type("NamedBlower", "A blower: a wind that the scene keeps under a name.");
   v.label(required("name"), c.name, "Name by which `blow` uses it.");
   wind_members(v, c.blow, "source");
 }
 
 template <class V>
 void members(V& v, Visited<V, NamedAttractor>& c) {
-  v.type("NamedAttractor", "A stick that stays in the scene under a name.");
+  v.type("NamedAttractor", "An attractor: a stick that the scene keeps under a name.");
   v.label(required("name"), c.name, "Name by which `attract` uses it.");
   stick_members(v, c.attract, "point");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetBlowers>& c) {
-  v.type("SetBlowers", "Places all winds that stay, for blow to use by their names, which differ.");
-  v.objects(required("blowers"), c.blowers, {0, limits::blowers}, "All winds that stay.");
+  v.type("SetBlowers", "Sets all blowers, which `blow` uses by their names; names differ.");
+  v.objects(required("blowers"), c.blowers, {0, limits::blowers}, "All blowers of the scene.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetAttractors>& c) {
-  v.type("SetAttractors", "Places all sticks that stay, for attract to use by their names, which differ.");
-  v.objects(required("attractors"), c.attractors, {0, limits::blowers}, "All sticks that stay.");
+  v.type("SetAttractors", "Sets all attractors, which `attract` uses by their names; names differ.");
+  v.objects(required("attractors"), c.attractors, {0, limits::blowers}, "All attractors of the scene.");
 }
 
 template <class V>
 void members(V& v, Visited<V, SetSymmetry>& c) {
   v.type("SetSymmetry",
-         "From now on each tool with a place works on all its images too, as one undo step. Places on the surface are "
-         "mirrored to the nearest ones, so a roughly symmetric model will do. Floods have no images.");
-  v.object(required("symmetry"), c.symmetry, "The new symmetry; with `planes` empty and `count` 1 there is none.");
+         "From now on each tool with a position also works at its images, as one undo step. Images move to the nearest "
+         "point of the surface, so a roughly symmetric model will do. Floods have no images.");
+  v.object(required("symmetry"), c.symmetry, "The new symmetry; none with empty `planes` and a `count` of 1.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Checkpoint>& c) {
-  v.type("Checkpoint", "Gives this revision a name, or an earlier one; a name that is known moves.");
+  v.type("Checkpoint", "Names this revision or an earlier one; an existing name moves.");
   v.label(required("name"), c.name, "Name of the checkpoint.");
   v.counter("revision", c.revision, "Revision that gets the name; the one that this command makes unless given.");
 }
@@ -162,24 +160,24 @@ void members(V& v, Visited<V, Checkpoint>& c) {
 template <class V>
 void members(V& v, Visited<V, ChangeEditLayer>& c) {
   v.type("ChangeEditLayer",
-         "Makes, sets, moves, merges or removes an edit layer. What is seen is the groom below and, from the lowest "
-         "layer up, weight times what each adds, held in each field's range. At most 14. Neither of what is merged may "
-         "be muted; the layer that is merged into comes to weight 1.");
+         "Makes, sets, moves, merges or removes an edit layer. The visible fields are the groom below plus, from the "
+         "lowest layer up, weight times each layer's edits, clamped to the field's range. At most 14. merge_down needs "
+         "layers that are not muted; the layer that is merged into gets weight 1.");
   v.name("action", c.action, json_names::edit_layer_actions, "What is done with the edit layer.");
   v.label(required("name"), c.name, "Name of the edit layer.");
   const bool add = c.action == EditLayerAction::add, set = c.action == EditLayerAction::set;
   if (v.takes(add || set)) {
     v.number("weight", c.weight, edit_layer_weight,
-             "How much the edit layer counts, for add and set; add takes 1 unless given. Below 0 it does the opposite "
-             "of what was groomed. Tools change edit layers of at least .05 or at most -.05.");
+             "Weight of the edit layer, for add and set; for add 1 unless given. Below 0 its edits act in reverse. "
+             "Tools change only edit layers of at least .05 or at most -.05.");
     v.boolean("muted", c.muted, "Whether the edit layer is left out, for add and set.");
   }
-  if (v.takes(add)) v.text("coat", c.coat, "Coat whose changes alone it keeps, for add; those of all unless given.");
+  if (v.takes(add)) v.text("coat", c.coat, "The only coat whose edits it holds, for add; all unless given.");
   if (v.takes(set)) v.text(sparse("rename"), c.rename, "The new name, for set.");
   if (v.takes(add || c.action == EditLayerAction::move)) {
     v.text("above", c.above,
-           "Edit layer that it comes to lie on, or \"\" for none. For add, where it lies on top unless given, and "
-           "move, where it is required.");
+           "Edit layer right below it, or \"\" for none. For add, where it is on top unless given, and move, where it "
+           "is required.");
   }
 }
 

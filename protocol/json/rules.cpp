@@ -69,7 +69,7 @@ void check_crop(const Value& value, const FrameRequest& request) {
   }
 }
 
-void check_layers(const Value& value, const FrameRequest& request) {
+void check_aovs(const Value& value, const FrameRequest& request) {
   const double width = request.width * request.knobs.scale, height = request.height * request.knobs.scale;
   const bool linear = is_linear(request.format);
   if (given(value, "aovs") && !linear)
@@ -127,7 +127,7 @@ void check(const Value& value, const FrameRequest& request) {
   check_drawing(value, request);
   check_size(value, request);
   check_crop(value, request);
-  check_layers(value, request);
+  check_aovs(value, request);
   check_overlay(value, request);
   check_past(value, request);
 }
@@ -253,7 +253,7 @@ void check(const Value& value, const ExportRequest& wanted) {
       value.refuse_below(name, "The format holds no strands.", "format usda or hair");
   }
   if (given(value, "shells") && wanted.format != ExportFormat::shells)
-    value.refuse_below("shells", "The format has no layers.", "format shells");
+    value.refuse_below("shells", "The format has no shells.", "format shells");
   if (given(value, "cards") && wanted.format != ExportFormat::cards)
     value.refuse_below("cards", "The format has no cards.", "format cards");
   for (const char* name : {"basis", "skin"}) {

@@ -29,7 +29,7 @@ Result<Query> checked_export_query(const Options& options) {
   if (checked) return query;
   Status refused = checked.status();
   if (!named && refused.pointer == "/format")
-    refused = failure(Code::invalid, "No format has the ending of " + options.output + "; take another, or --format.",
+    refused = failure(Code::invalid, "No format has the ending of " + options.output + "; change it or give --format.",
                       "", ".usda | .hair | .glb | .pelage");
   return refused;
 }

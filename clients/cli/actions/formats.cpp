@@ -17,7 +17,7 @@ Result<std::string> format_of(const std::string& path, const ExtensionFormats& f
   if (known != formats.end()) return std::string(known->second);
   std::string all;
   for (std::size_t k = 1; k < formats.size(); ++k) all += (k > 1 ? " | " : "") + formats[k].first;
-  return failure(Code::invalid, "No format has the ending of " + path + "; take another, or --format.", "", all);
+  return failure(Code::invalid, "No format has the ending of " + path + "; change it or give --format.", "", all);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Result<FrameRequest> frame_request_of(const Options& options) {
   } else if (strands) {
     request->knobs.trace = *tracing;
   } else if (!options.trace.empty()) {
-    return failure(Code::invalid, "Only traced strands take these options.", "/" + options.trace.front().first,
+    return failure(Code::invalid, "Only traced pictures take this option.", "/" + options.trace.front().first,
                    "--quality reference, or --progressive");
   }
   return decode_frame_request(encode(*request));
@@ -45,7 +45,7 @@ void print_frame(const Options& options, const HttpAnswer& answer) {
                missed.empty() ? "" : ",\"missed\":" + json_text(missed));
   } else {
     fmt::print("{}: revision {}, {}\n", options.output, revision, timing);
-    if (!missed.empty()) fmt::print("it missed: {}\n", missed);
+    if (!missed.empty()) fmt::print("not kept: {}\n", missed);
   }
 }
 

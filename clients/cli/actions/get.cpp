@@ -39,7 +39,7 @@ ExitCode get_into_file(Session& session, const std::string& address) {
 ExitCode get_address(Session& session) {
   const Options& options = session.options();
   if (options.address.empty() && !options.scene.starts_with("/"))
-    return report(failure(Code::invalid, "An address begins with /; one of a scene comes after the scene.", "",
+    return report(failure(Code::invalid, "An address begins with / unless it follows a scene.", "",
                           "as /metrics, or fox settings"));
   const Result<std::string> address = url_path_of(session);
   if (!address) return report(address.status());

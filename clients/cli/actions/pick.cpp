@@ -169,7 +169,7 @@ ExitCode pick_position(Session& session) {
   if (!options.json && pick->strand) print(*pick->strand);
   if (!pick->hit) {
     if (!options.json) fmt::print("{}\n", pick->strand ? "no skin there" : "nothing there");
-    return options.places.empty() ? done : report(failure(Code::invalid, "There is no place to keep."));
+    return options.places.empty() ? done : report(failure(Code::invalid, "There is no place to store."));
   }
   if (!options.json) print(*pick), print_forms(options, *pick, places, *query);
   if (options.places.empty()) return done;

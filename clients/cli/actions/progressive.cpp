@@ -48,7 +48,7 @@ Result<TraceReport> take(const Options& options, const HttpAnswer& answer, doubl
 ExitCode follow_progressive(Session& session, const std::string& path, const std::string& request) {
   const Options& options = session.options();
   if (options.output == "-") {
-    return report(failure(Code::invalid, "Pictures that follow each other need a file.", "", "--output FILE"));
+    return report(failure(Code::invalid, "Progressive pictures need a file.", "", "--output FILE"));
   }
   const Clock::time_point start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };

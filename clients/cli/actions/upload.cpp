@@ -16,7 +16,7 @@ Result<HttpAnswer> with_progress(std::size_t size, Send send) {
   std::atomic<std::size_t> sent = 0;
   const ProgressLine line("uploading", [&sent, size]() -> ProgressState {
     const std::size_t now = sent;
-    if (now >= size) return {-1, "all is sent, the server works on it"};
+    if (now >= size) return {-1, "sent; the server is processing it"};
     return {static_cast<double>(now) / static_cast<double>(size),
             fmt::format("{:.1f} MB", static_cast<double>(size) / 1e6)};
   });

@@ -54,8 +54,8 @@ Result<PictureError> measure(const Options& options) {
   const ToneMap tone_map = options.tone_map == "none" ? ToneMap::none : ToneMap::filmic;
   auto error = compare(*reference, *test, *mask, {.tone_map = tone_map});
   if (error && !error->figures) {
-    return failure(Code::invalid, fmt::format("{} pixels are NaN or infinite: there is no measure of such a picture.",
-                                              error->non_finite));
+    return failure(Code::invalid,
+                   fmt::format("{} pixels are NaN or infinite; such pictures cannot be compared.", error->non_finite));
   }
   if (error && !options.map.empty()) {
     const std::string png = encode_png(error_picture(error->flip, reference->width, reference->height), false);

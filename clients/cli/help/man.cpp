@@ -68,7 +68,7 @@ std::string examples(const std::string& name) {
 std::string man_page(const CommandHelp& root, const std::string& version) {
   std::string page = fmt::format(".TH PELAGE 1 \"\" \"{}\"\n.SH NAME\npelage \\- {}\n.SH SYNOPSIS\n", version,
                                  roff_escaped("grooms fur on a Pelage server"));
-  page += usage(root) + ".SH OPTIONS\nThey may stand after a command too.\n" + entries(root) + ".SH COMMANDS\n";
+  page += usage(root) + ".SH OPTIONS\nThey may also follow the command.\n" + entries(root) + ".SH COMMANDS\n";
   for (const CommandHelp* command : all_commands(root)) {
     if (command->name.empty() || !command->commands.empty()) continue;
     page +=

@@ -34,10 +34,10 @@ void add_pairs(const std::vector<std::string>& texts, Parameters& pairs) {
 void add_variables(CLI::App* command, Options& options) {
   command->add_option_function<std::vector<std::string>>(
       "--set", [&options](const std::vector<std::string>& texts) { add_pairs(texts, options.variables); },
-      "NAME=VALUE of a recipe's variable, as JSON or plain text; may be repeated");
+      "NAME=VALUE for a recipe's variable, JSON or plain text; may be repeated");
   command->add_option(
       "--places", options.places,
-      "JSON file of places by name, as `pelage pick --as` writes it, for variables and picks of a recipe");
+      "JSON file of named places, as `pelage pick` writes it; they replace variables and picks so named");
 }
 
 }  // namespace pelage

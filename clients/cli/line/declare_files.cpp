@@ -14,54 +14,52 @@ void declare_export(CLI::App& app, Options& options) {
   Parameters& parameters = options.export_parameters;
   add_parameter_option(command, parameters, "--format", "format",
                        "usda, hair, shells, cards, fields or pelage [the output's ending, shells for .glb]");
-  add_parameter_option(command, parameters, "--coat", "coat",
-                       "Name of the only coat that is in it [all that are seen]");
+  add_parameter_option(command, parameters, "--coat", "coat", "Name of the one coat to export [all not muted]");
   add_parameter_option(command, parameters, "--shells", "shells", "Number of shells, 1 to 32 [16]");
   add_parameter_option(command, parameters, "--cards", "cards",
-                       "Cards of the finest level, about, 100 to 200000 [6000]");
-  add_parameter_option(command, parameters, "--every", "every", "About one strand of so many, 1 to 1000000 [1]");
+                       "About how many cards at the finest level, 100 to 200000 [6000]");
+  add_parameter_option(command, parameters, "--every", "every", "About one strand in so many, 1 to 1000000 [1]");
   command->add_flag_callback(
       "--widen", [&parameters] { parameters.emplace_back("widen", "true"); },
-      "Make the strands that are left so much wider that they cover as much");
+      "Make strands --every times as wide, to keep their coverage");
   command->add_flag_callback(
       "--no-curves", [&parameters] { parameters.emplace_back("curves", "false"); },
-      "Without whiskers, lashes and brows");
+      "Leave out whiskers, lashes and brows");
   command->add_flag_callback(
       "--cubic", [&parameters] { parameters.emplace_back("basis", "cubic"); },
-      "USD: cubic curves through the points in place of straight lines");
+      "USD: cubic curves through the points, not straight lines");
   command->add_flag_callback(
-      "--skin", [&parameters] { parameters.emplace_back("skin", "true"); }, "USD: with the model's mesh");
+      "--skin", [&parameters] { parameters.emplace_back("skin", "true"); }, "USD: include the model's mesh");
   add_parameter_option(command, parameters, "--frame", "frame",
                        "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source]");
-  add_parameter_option(command, parameters, "--unit", "metres_per_unit",
-                       "Metres that the unit of the model's file is [1]");
-  command->add_flag("--dry-run", options.dry_run, "Say how much it would be; write nothing");
+  add_parameter_option(command, parameters, "--unit", "metres_per_unit", "Metres in one unit of the model's file [1]");
+  command->add_flag("--dry-run", options.dry_run, "Print what the file would hold; write nothing");
 }
 
 void declare_open(CLI::App& app, Options& options) {
   CLI::App* command = add_action(app, options, Action::open_saved, "open",
-                                 "Make a scene of a .pelage file, with its log; prints its id");
+                                 "Make a scene from a .pelage file, with its undo log; prints its id");
   command->add_option("file", options.file, "The file, as `pelage export` writes it")->required();
   command->add_option("--name", options.name, "Name, 1 to 200 bytes [the file's own]")->default_str("");
 }
 
 void declare_guides(CLI::App& app, Options& options) {
   CLI::App* guides = add_action(app, options, Action::guides, "guides",
-                                "Let the fur follow curves of another program, root first, as one undo step");
+                                "Make fur follow curves of another program, root first, as one undo step");
   add_scene(guides, options);
   guides->add_option("file", options.file, "The curves, .usda, .hair or .json; - for standard input")->required();
   Parameters& parameters = options.guide_parameters;
   add_parameter_option(guides, parameters, "--format", "format", "usda, hair or json [the file's ending]");
   add_parameter_option(guides, parameters, "--coat", "coat", "Name of the coat that follows them [all]");
-  add_parameter_option(guides, parameters, "--keys", "keys", "Curves that are used at most, 1 to 1024 [1024]");
+  add_parameter_option(guides, parameters, "--keys", "keys", "Maximum number of curves used, 1 to 1024 [1024]");
   add_parameter_option(guides, parameters, "--sigma", "sigma",
-                       "Width over which one curve acts, sizes [from their distance]");
-  add_parameter_option(guides, parameters, "--strength", "strength", "How far the fur goes to the curves, 0 to 1 [1]");
+                       "Width over which one curve acts, in sizes [from their spacing]");
+  add_parameter_option(guides, parameters, "--strength", "strength", "How far the fur follows the curves, 0 to 1 [1]");
   add_parameter_option(
       guides, parameters, "--frame", "frame",
       "Axes of the file: source, those of the model's file, or pelage, up +y and front +z [source; pelage of json]");
   add_parameter_option(guides, parameters, "--unit", "metres_per_unit",
-                       "Metres that the unit of the model's file is [1 of glTF; of others the curves have the same]");
+                       "Metres in one unit of the model's file, to scale a USD [1 for glTF; else unscaled]");
 }
 
 void add_map(CLI::App* command, Options& options) {
@@ -71,12 +69,12 @@ void add_map(CLI::App* command, Options& options) {
   add_parameter_option(command, parameters, "--coat", "coat",
                        "Name of the coat whose field it is [get: the first, put: all]");
   add_parameter_option(command, parameters, "--encoding", "encoding",
-                       "Of direction uv_tangent, fast_fur or vector; else value");
+                       "direction: uv_tangent, fast_fur or vector; others: value; .npy: vertices");
   add_parameter_option(
       command, parameters, "--scale", "scale",
-      "What 1 in the picture stands for [get: the largest value, 1 for EXR; put: what the file says, or 1]");
+      "Field value of 1 in the picture [get: the largest value for PNG, else 1; put: from the file, or 1]");
   add_parameter_option(command, parameters, "--units", "units",
-                       "Of a scale of lengths: relative (sizes) or world [relative]");
+                       "Of --scale for lengths: relative (sizes) or world [relative]");
   add_parameter_option(command, parameters, "--tile", "tile", "UDIM tile of the picture, from 1001; 0 for all [0]");
 }
 
@@ -87,9 +85,8 @@ void declare_map_get(CLI::App& map, Options& options) {
   Parameters& parameters = options.map_parameters;
   add_parameter_option(get, parameters, "--format", "format",
                        "png, png16, exr, exr_half or npy [the output's ending, png16 for .png]");
-  add_parameter_option(get, parameters, "--size", "size", "Pixels of a side, 1 to 8192 [1024]");
-  add_parameter_option(get, parameters, "--dilate", "dilate",
-                       "Pixels by which islands grow over their seams, 0 to 64 [8]");
+  add_parameter_option(get, parameters, "--size", "size", "Width and height in pixels, 1 to 8192 [1024]");
+  add_parameter_option(get, parameters, "--dilate", "dilate", "Pixels that islands grow over their seams, 0 to 64 [8]");
 }
 
 }  // namespace
@@ -98,7 +95,7 @@ void declare_file_actions(CLI::App& app, Options& options) {
   declare_export(app, options);
   declare_open(app, options);
   declare_guides(app, options);
-  CLI::App* map = app.add_subcommand("map", "Fields as pictures through a model's texture coordinates");
+  CLI::App* map = app.add_subcommand("map", "Fields as pictures, laid out by texture coordinates");
   map->require_subcommand(1);
   map->fallthrough();
   declare_map_get(*map, options);
@@ -106,13 +103,13 @@ void declare_file_actions(CLI::App& app, Options& options) {
   CLI::App* put = add_action(*map, options, Action::put_map, "put", "Read a field from a picture, as one undo step");
   add_map(put, options);
   put->add_option("file", options.file,
-                  "PNG, JPEG, EXR or HDR, up to 4096 pixels wide, or a NumPy array; - for standard input")
+                  "PNG, JPEG, EXR or HDR, up to 4096 pixels a side, or a NumPy array; - for standard input")
       ->required();
   add_parameter_option(put, options.map_parameters, "--strength", "strength",
-                       "How far the field goes to the picture's, 0 to 1 [1]");
+                       "Blend from the field to the picture, 0 to 1 [1]");
 
   CLI::App* keep = add_action(*map, options, Action::put_picture, "upload",
-                              "Keep a picture for commands to name, such as mask; prints its name");
+                              "Upload a picture for commands such as mask; prints its name");
   add_scene(keep, options);
   keep->add_option("file", options.file, "The picture; - for standard input")->required();
 }

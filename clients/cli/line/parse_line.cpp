@@ -64,7 +64,7 @@ void declare_line(CLI::App& app, Options& options) {
       ->default_val("http://127.0.0.1:8080");
   app.add_option("--token", options.token, "Token of the server")->envname("PELAGE_TOKEN");
   app.add_option("--author", options.author, "Your name, 1 to 200 bytes, kept with each change and shown to others");
-  app.add_flag("--json", options.json, "Print the server's answer as JSON, and what goes wrong as a problem document");
+  app.add_flag("--json", options.json, "Print the server's answer as JSON, and errors as problem documents");
   app.set_version_flag("--version", version_line("pelage"));
   app.footer(footer_of(""));
   declare_scene_actions(app, options);

@@ -44,7 +44,7 @@ Status write_file(const std::string& path, const std::string& bytes) {
     std::cout.write(bytes.data(), static_cast<std::streamsize>(bytes.size())).flush();
     return std::cout ? Status{}
                      : with_next(failure(Code::internal, "Cannot write to standard output."),
-                                 "see why its reader ended, or name a file");
+                                 "see why the pipe's reader ended, or name a file");
   }
   NewFile file(path);
   file.write(bytes);

@@ -63,7 +63,7 @@ namespace {
 
 void print(const CarriedReport& carried) {
   fmt::print("groom       kept; {} of {} vertices lie farther than .05 sizes from the model before{}\n", carried.far,
-             carried.vertices, carried.align == Alignment::box ? ", laid over it by both boxes" : "");
+             carried.vertices, carried.align == Alignment::box ? ", aligned by their boxes" : "");
   fmt::print("before      {} is the scene as it was, with its undo log\n", carried.before);
 }
 

@@ -5,11 +5,11 @@ export const usage = `usage: pelage-mcp [--server URL] [--token SECRET] [--tools
 
 A Model Context Protocol server on standard input and output, for agents that groom fur on a Pelage server.
 
-  --server URL     address of pelaged; else PELAGE_SERVER, else http://127.0.0.1:8080
-  --token SECRET   of that server; else PELAGE_TOKEN, which other users of the machine cannot read
-  --toolsets NAMES sets of tools, with commas: scenes,pictures,changes,history unless given; commands has a tool for each
-                   command, all has everything
-  --tools NAMES    these tools alone, of all sets, for clients that take few: comb,look,views,undo
+  --server URL     address of pelaged [PELAGE_SERVER, else http://127.0.0.1:8080]
+  --token SECRET   its token [PELAGE_TOKEN, which other users of the machine cannot read]
+  --toolsets NAMES sets of tools, with commas [scenes,pictures,changes,history]; commands has a tool for each command, all
+                   has everything
+  --tools NAMES    only these tools, of any set, for clients that take few: comb,look,views,undo
   --help           this text`;
 
 export interface Options {

@@ -33,11 +33,11 @@ export function unknownName(detail: string, pointer: string, wrong: string, know
 
 /** Advice by HTTP status; 0 stands for no answer. */
 const next_steps = new Map([
-  [0, "Start it with `pelaged --listen 127.0.0.1:8080`, or start pelage-mcp with the --server where it is."],
-  [401, "Start pelage-mcp with the --token that the server was started with."],
+  [0, "Start it with `pelaged --listen 127.0.0.1:8080`, or give pelage-mcp its address with --server."],
+  [401, "Start pelage-mcp with the server's token as --token."],
   [404, "`list_scenes` shows what there is."],
   [409, "Read the scene with `describe_scene`, then decide whether to call again."],
-  [413, "Ask for less at once."],
+  [413, "Ask for less in one call."],
   [429, "Wait a few seconds and call again."],
   [503, "Wait a few seconds and call again."],
 ]);

@@ -9,10 +9,10 @@ import type {Caller} from "./service";
 import type {Input, Tool} from "./tools/tool";
 
 const instructions = `Pelage grooms fur. A scene holds a 3D model and its fur. Commands such as comb, blow, length and paint change the fur; every change is an undo step.
-A good round: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \`pick\` at pixels to get positions on the surface; \`describe_commands\` for what commands take;
-\`preview_change\` or dry_run to see what a change would do; \`run_commands\`; \`look\`; \`undo\` if it is not what you wanted.
-Lengths are shares of the model's size (the diagonal of its box) unless \`units\` says otherwise. Positions are in the model's own coordinates: y up, the model faces +z.
-Commands take a stroke, or "flood": true for everywhere.`;
+A typical session: \`create_scene\` or \`list_scenes\`; \`views\` to see all sides; \`pick\` at pixels to get positions on the surface; \`describe_commands\` for what commands take;
+\`preview_change\` or dry_run to see what a change would do; \`run_commands\`; \`look\`; \`undo\` if it looks wrong.
+Lengths are fractions of the model's size (its box's diagonal) unless \`units\` says otherwise. Positions are in the model's own coordinates: y up, the model faces +z.
+Brush commands take a stroke, or "flood": true for everywhere.`;
 
 /** Uses the low-level Server, as the schemas come from the contract; McpServer takes only schemas written in code. */
 export function mcpServer(version: string, tools: Map<string, Tool>): Server {
@@ -40,7 +40,7 @@ async function call(tool: Tool, input: Input, caller: Caller): Promise<CallToolR
     refuseUnknown(tool, input);
     return await tool.run(input, caller);
   } catch (error) {
-    const refusal = error instanceof Refusal ? error : new Refusal({detail: `pelage-mcp failed: ${String(error)}`}, "Call again; if it stays, report it.");
+    const refusal = error instanceof Refusal ? error : new Refusal({detail: `pelage-mcp failed: ${String(error)}`}, "Call again; if it recurs, report it.");
     return {content: [{type: "text", text: refusal.text()}], structuredContent: {problem: refusal.problem}, isError: true};
   }
 }

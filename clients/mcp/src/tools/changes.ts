@@ -33,7 +33,7 @@ function commandTool({service, schemas}: Context, op: string, schema: Schema): T
     },
   };
 }
-const replaces = "It replaces what was set before: read it with `read_settings`, change it and send it back whole.";
+const replaces = "It replaces all that was set: read it with `read_settings`, change it and send it back whole.";
 
 /** Runs a command or a batch as one undo step; a dry run says what it would do. */
 async function change(service: Service, input: Input, body: object, caller: Caller) {
@@ -55,7 +55,7 @@ function dryRunIn({dry_run = false}: Input): boolean {
 
 /** Returns the schema of a list of commands without their members, which would fill an agent's context. */
 export function commandsMember(): Schema {
-  const command = {type: "object", properties: {op: {type: "string"}}, required: ["op"], description: "`op` and the members that `describe_commands` says."};
+  const command = {type: "object", properties: {op: {type: "string"}}, required: ["op"], description: "`op` and the members that `describe_commands` lists."};
   return {type: "array", items: command, minItems: 1, maxItems: 1000};
 }
 
@@ -63,7 +63,7 @@ export function describeCommands({schemas}: Context): Tool {
   const commands = schemas.commands(), known = [...commands.keys()];
   return {
     name: "describe_commands", annotations: reads,
-    description: "The commands that `run_commands` takes, a line each; with `ops` their members, ranges and defaults as JSON Schema. Read those before you use them.",
+    description: "Lists the commands that `run_commands` takes; with `ops`, gives their members, ranges and defaults as JSON Schema. Read it before you use a command.",
     inputSchema: schemas.input({ops: {type: "array", items: {enum: known}, description: "Commands to describe in full."}}, []),
     run: async (input) => {
       if (input["ops"] === undefined) return result(known.map((op) => `${op}: ${firstSentence(commands.get(op)!)}`).join("\n"), {ops: known});
@@ -80,7 +80,7 @@ const firstSentence = ({description = ""}: Schema) => /^.*?\.(?= |$)/s.exec(desc
 export function runCommands({service, schemas}: Context): Tool {
   return {
     name: "run_commands", annotations: changes,
-    description: "Runs a command, or several as one undo step, all or none.",
+    description: "Runs one or several commands as one undo step, all or none.",
     inputSchema: schemas.input({scene: scene_member, commands: commandsMember(), dry_run: dry_run_member}, ["scene", "commands"]),
     run: (input, caller) => change(service, input, {commands: arrayIn(input, "commands")}, caller),
   };
@@ -90,7 +90,7 @@ export async function applyLook({service, schemas}: Context): Promise<Tool> {
   const name = {enum: await namesOf("looks"), description: "A look; the resource pelage://looks/NAME holds its commands."};
   return {
     name: "apply_look", annotations: changes,
-    description: "Gives the scene a look that comes with Pelage: coat, colours and shading, as one undo step. The groom stays.",
+    description: "Applies a look that comes with Pelage: coat, colours and shading, as one undo step. The groom stays.",
     inputSchema: schemas.input({scene: scene_member, name, dry_run: dry_run_member}, ["scene", "name"]),
     run: async (input, caller) => change(service, input, JSON.parse(await textOf("looks", textIn(input, "name"))) as object, caller),
   };
@@ -98,10 +98,10 @@ export async function applyLook({service, schemas}: Context): Promise<Tool> {
 
 export async function runRecipe({service, schemas}: Context): Promise<Tool> {
   const name = {enum: await namesOf("recipes"), description: "A recipe; the resource pelage://recipes/NAME holds its steps and variables."};
-  const variables = {type: "object", default: {}, description: "Other values for variables of the recipe."};
+  const variables = {type: "object", default: {}, description: "Values for the recipe's variables."};
   return {
     name: "run_recipe", annotations: changes,
-    description: "Runs a whole groom that comes with Pelage, each of its steps as an undo step. Most recipes fit one model: read them first.",
+    description: "Runs a groom that comes with Pelage, one undo step for each of its steps. Most recipes fit one model: read them first.",
     inputSchema: schemas.input({scene: scene_member, name, variables, dry_run: dry_run_member}, ["scene", "name"]),
     run: async (input, caller) => {
       const scene = await findScene(service, textIn(input, "scene"), caller), path = pathOf(scene);
@@ -131,10 +131,10 @@ async function runSteps(service: Service, path: string, steps: Step[], caller: C
     } catch (error) {
       if (!(error instanceof Refusal)) throw error;
       const detail = `Step ${answers.length + 1} of ${steps.length} is refused: ${error.problem.detail}`;
-      throw new Refusal({...error.problem, detail}, `${answers.length} steps are done; \`undo\` takes them back.`);
+      throw new Refusal({...error.problem, detail}, `${answers.length} steps are done; \`undo\` reverts them.`);
     }
     const broken = brokenAssert(step, answers.at(-1)!);
-    if (broken) throw new Refusal({detail: `Step ${answers.length} of ${steps.length} is not what its recipe asserts: ${broken}`, pointer: "/name"}, "`undo` takes the steps back.");
+    if (broken) throw new Refusal({detail: `Step ${answers.length} of ${steps.length} breaks its recipe's assert: ${broken}`, pointer: "/name"}, "`undo` takes the steps back.");
   }
   const last = answers.at(-1);
   if (!last) throw new Refusal({detail: "The recipe has no steps.", pointer: "/name"});

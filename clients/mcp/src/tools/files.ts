@@ -6,11 +6,11 @@ import {pathMember, queryOf, reads, result, scene_member, scenePath, textIn, wit
 
 export function exportScene({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ExportRequest").properties ?? {};
-  const overwrite = {type: "boolean", default: false, description: "Replaces a file that is there."};
+  const overwrite = {type: "boolean", default: false, description: "Replace an existing file."};
   return {
     name: "export_scene", annotations: {...reads, readOnlyHint: false, destructiveHint: true},
-    description: "Writes the groom to a file for another program: usda and hair strands, glTF for shells, cards and fields, or the scene itself as pelage.",
-    inputSchema: schemas.input({scene: scene_member, path: pathMember(), format: {...format, description: "Unless given, the ending of the path."}, ...options, overwrite}, ["scene", "path"]),
+    description: "Exports the groom for other programs: strands as usda or hair; shells, cards or fields as glTF; or the whole scene as pelage.",
+    inputSchema: schemas.input({scene: scene_member, path: pathMember(), format: {...format, description: "Default: the path's extension."}, ...options, overwrite}, ["scene", "path"]),
     run: async (input, caller) => {
       const path = textIn(input, "path"), wanted = String(input["format"] ?? extname(path).slice(1).toLowerCase());
       const query = queryOf(without(input, "scene", "path", "format", "overwrite"));
@@ -27,7 +27,7 @@ async function write(path: string, bytes: Uint8Array, overwrite: boolean) {
     await writeFile(path, bytes, {flag: overwrite ? "w" : "wx"});
   } catch (error) {
     const {code, message} = error as NodeJS.ErrnoException;
-    const detail = code === "EEXIST" ? `There is a file "${path}".` : `"${path}" cannot be written: ${message}.`;
+    const detail = code === "EEXIST" ? `"${path}" exists.` : `"${path}" cannot be written: ${message}.`;
     throw new Refusal({detail, pointer: "/path", limit: code === "EEXIST" ? "a new path, or overwrite" : "a path on the machine where pelage-mcp runs"});
   }
 }

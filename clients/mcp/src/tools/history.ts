@@ -8,8 +8,8 @@ export function historyTools(context: Context): Tool[] {
   const {schemas} = context;
   const steps = schemas.named("Steps").properties ?? {};
   return [
-    move(context, "undo", "Takes back the newest steps. `redo` does them again.", schemas.input({scene: scene_member, ...steps}, ["scene"])),
-    move(context, "redo", "Does again what `undo` took back.", schemas.input({scene: scene_member, ...steps}, ["scene"])),
+    move(context, "undo", "Undoes the newest steps. `redo` brings them back.", schemas.input({scene: scene_member, ...steps}, ["scene"])),
+    move(context, "redo", "Redoes what `undo` took back.", schemas.input({scene: scene_member, ...steps}, ["scene"])),
     move(context, "revert", "Goes back to an earlier revision of the scene, as a step that can be undone. `log` shows revisions.",
       schemas.input({scene: scene_member, ...schemas.named("RevisionBody").properties}, ["scene", "revision"])),
     log(context), amendStep(context), compareRevisions(context),
@@ -28,11 +28,11 @@ function move({service}: Context, name: string, description: string, inputSchema
 }
 
 function log({service, schemas}: Context): Tool {
-  const last = {type: "integer", minimum: 1, maximum: 1000, default: 20, description: "How many entries, the newest."};
-  const commands = {type: "boolean", default: false, description: "With the commands as they were sent; strokes can be long."};
+  const last = {type: "integer", minimum: 1, maximum: 1000, default: 20, description: "How many of the newest entries."};
+  const commands = {type: "boolean", default: false, description: "Include the full commands; strokes can be long."};
   return {
     name: "log", annotations: reads,
-    description: "The undo log: revision, kind, commands, vertices touched, author. * marks the steps that make up the present state.",
+    description: "The undo log: revision, kind, commands, vertices touched, author. * marks the steps in effect.",
     inputSchema: schemas.input({scene: scene_member, last, commands}, ["scene"]),
     run: async (input, caller) => {
       const count = integerIn(input, "last", 20, 1, 1000);
@@ -49,7 +49,7 @@ function amendStep({service, schemas}: Context): Tool {
   const {revision} = schemas.named("AmendRequest").properties ?? {};
   return {
     name: "amend_step", annotations: changes,
-    description: "Gives an earlier step other commands, and does the steps after it again: with [] it is left out. `log` with commands shows what it was.",
+    description: "Replaces the commands of an earlier step, [] removes it, and replays the steps after it. `log` with `commands` shows what they were.",
     inputSchema: schemas.input({scene: scene_member, revision: revision!, commands: {...commandsMember(), minItems: 0}}, ["scene", "revision", "commands"]),
     run: async (input, caller) => {
       const scene = await findScene(service, textIn(input, "scene"), caller);
@@ -63,7 +63,7 @@ function amendStep({service, schemas}: Context): Tool {
 function compareRevisions({service, schemas}: Context): Tool {
   return {
     name: "compare_revisions", annotations: reads,
-    description: "What two revisions of a scene differ in, by fields. `views` with the overlay difference shows where.",
+    description: "Says in which fields two revisions differ. `views` with the overlay `difference` shows where.",
     inputSchema: schemas.input({scene: scene_member, ...schemas.named("Revisions").properties}, ["scene", "from", "to"]),
     run: async (input, caller) => {
       const path = await scenePath(service, textIn(input, "scene"), caller);

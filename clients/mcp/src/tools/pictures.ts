@@ -11,7 +11,7 @@ const shared_members = ["budget_ms", "max_error", "max_seconds", "background", "
 const view_members = ["overlay", "overlay_from", "revision"];
 /** Maximum size of a picture in bytes; many MCP clients reject larger ones. */
 const max_bytes = 1_000_000;
-const quality_rule = "Give one of quality, budget_ms and max_error at most.";
+const quality_rule = "Give at most one of quality, budget_ms and max_error.";
 
 export const pictureTools = (context: Context): Tool[] => [look(context), views(context), pick(context)];
 
@@ -47,21 +47,21 @@ async function drawSmall(service: Service, path: string, request: object, caller
 function look(context: Context): Tool {
   const {service, schemas} = context;
   const {width, height, quality, ...members} = schemas.members("FrameRequest", ["width", "height", "quality", "lossy_quality", ...shared_members, ...view_members]);
-  const format = {enum: ["png", "jpeg"], default: "png", description: `What is larger than ${max_bytes / 1e6} MB comes as JPEG.`};
-  const knobs = {type: "object", description: 'Single knobs, such as {"method": "strands", "trace": {"passes": 8}}.'};
+  const format = {enum: ["png", "jpeg"], default: "png", description: `A picture above ${max_bytes / 1e6} MB comes as JPEG.`};
+  const knobs = {type: "object", description: 'Knobs, such as {"method": "strands", "trace": {"passes": 8}}.'};
   const qualities = {...quality, oneOf: [schemas.named("Tier"), knobs]};
   return {
     name: "look", annotations: reads,
-    description: `Draws the scene and answers with the picture. ${quality_rule} overlay_from goes with the overlay difference alone.`,
+    description: `Draws the scene and returns the picture. ${quality_rule} overlay_from is for the overlay difference only.`,
     inputSchema: schemas.input({scene: scene_member, camera: camera_member(context), width: width!, height: height!, quality: qualities, format, ...members}, ["scene"]),
     run: async (input, caller) => {
       const {format: asked = "png"} = input;
-      if (asked !== "png" && asked !== "jpeg") throw new Refusal({detail: `The format ${JSON.stringify(asked)} is no picture that agents take.`, pointer: "/format", limit: "png | jpeg"});
+      if (asked !== "png" && asked !== "jpeg") throw new Refusal({detail: `The format ${JSON.stringify(asked)} is not offered here.`, pointer: "/format", limit: "png | jpeg"});
       const request = without(input, "scene");
       const {bytes, type, ...frame} = await drawSmall(service, await scenePath(service, textIn(input, "scene"), caller), request, caller);
       const size = {width: Number(request["width"] ?? width!["default"]), height: Number(request["height"] ?? height!["default"])};
       const error = frame.estimate?.error === undefined ? "" : `, estimated error ${frame.estimate.error.toPrecision(2)} of 1`;
-      const text = `Revision ${frame.revision}${error}. To work on what a pixel shows, give \`pick\` its x and y with the same camera, width and height as \`view\`.`;
+      const text = `Revision ${frame.revision}${error}. To work on what a pixel shows, call \`pick\` with its x and y and this camera, width and height as \`view\`.`;
       return withImage({bytes, type}, size, text, {...frame, request});
     },
   };
@@ -77,10 +77,10 @@ function views(context: Context): Tool {
   const side: Schema = {type: "integer", minimum: 16, maximum: max_side, default: default_side, description: "Pixels of each view."};
   const view = {type: "object", properties: {camera: camera_member(context), ...schemas.members("FrameRequest", view_members)}, additionalProperties: false};
   const list = {type: "array", items: view, minItems: 1, maxItems: max_views, default: all_sides,
-    description: "Each from a camera, of a revision, with an overlay. Two revisions from one camera show before and after."};
+    description: "Camera, revision and overlay of each. Two revisions from one camera show before and after."};
   return {
     name: "views", annotations: reads,
-    description: `Draws several views in one picture, each with its number in the corner; all sides unless \`views\` says which. ${quality_rule}`,
+    description: `Draws several views in one picture, numbered in the corner; all sides unless \`views\` lists others. ${quality_rule}`,
     inputSchema: schemas.input({scene: scene_member, views: list, width: side, height: side, quality: {...schemas.named("Tier"), default: "interactive"}, ...schemas.members("FrameRequest", shared_members)}, ["scene"]),
     run: async (input, caller) => drawViews(service, await scenePath(service, textIn(input, "scene"), caller), input, caller),
   };
@@ -103,7 +103,7 @@ export async function drawViews(service: Service, path: string, input: Input, ca
   if (fits < 0.95) return drawViews(service, path, {...input, width: Math.floor(width * fits), height: Math.floor(height * fits)}, caller, names);
   const list = wanted.map((view, k) => ({number: k + 1, ...view as object, revision: frames[k]!.revision, width, height, ...corners[k]!}));
   const lines = wanted.map((view, k) => `${k + 1}: ${names[k] ?? viewInWords(view as Input)}, revision ${frames[k]!.revision}`);
-  const hint = `Each view is ${width} x ${height} pixels. For \`pick\` and strokes take its camera, width and height as \`view\`, and count pixels from its own upper left corner.`;
+  const hint = `Each view is ${width} x ${height} pixels. In \`pick\` and strokes give its camera, width and height as \`view\`, and count pixels from its upper left corner.`;
   return withImage({bytes: png, type: "image/png"}, size, [...lines, hint].join("\n"), {views: list});
 }
 
@@ -124,14 +124,14 @@ function viewInWords({camera = {auto: "three_quarter"}, overlay}: Input): string
 }
 
 export function nameCamera(context: Context): Tool {
-  const name = {type: "string", minLength: 1, description: "What it is called from here on, in this session."};
+  const name = {type: "string", minLength: 1, description: "The camera's name in this session."};
   return {
     name: "name_camera", annotations: reads,
-    description: "Gives a camera a name, which `look`, `views`, `pick`, `preview_change` and the views of strokes then take in its place.",
+    description: "Names a camera; `look`, `views`, `pick`, `preview_change` and the views of strokes then take the name as `camera`.",
     inputSchema: context.schemas.input({name, camera: camera_member(context)}, ["name", "camera"]),
     run: async (input) => {
       context.cameras.keep(textIn(input, "name"), input["camera"]);
-      return result(`There are the cameras ${context.cameras.names().join(", ")}.`, {cameras: context.cameras.names()});
+      return result(`The cameras are ${context.cameras.names().join(", ")}.`, {cameras: context.cameras.names()});
     },
   };
 }
@@ -142,14 +142,14 @@ function pick(context: Context): Tool {
   const {pixel} = (schemas.named("PickRequest")["oneOf"] as {properties: Record<string, Schema>}[])[0]!.properties;
   return {
     name: "pick", annotations: reads,
-    description: "What lies under a pixel of a view: position, normal and fur there, and the place in each form that samples of strokes take.",
+    description: "Says what lies under a pixel of a view: position, normal and fur, and the place in each form that a stroke's samples take.",
     inputSchema: schemas.input({scene: scene_member, view, pixel: pixel!}, ["scene", "pixel"]),
     run: async (input, caller) => {
       const request = without(input, "scene");
       const picked = await service.post<Answers["Pick"]>(`${await scenePath(service, textIn(input, "scene"), caller)}/pick`, request, caller);
       const {strand} = picked;
       const seen = strand ? `The pixel shows strand ${strand.id} at ${strand.along.toPrecision(2)} of its length, whose root is at ${JSON.stringify(strand.root)}.` : "";
-      if (!picked.hit) return result(seen || "Nothing: the pixel shows the background. Take one that shows the model.", picked);
+      if (!picked.hit) return result(seen || "The pixel shows the background. Pick one that shows the model.", picked);
       const samples = [{position: picked.position}, {triangle: picked.triangle, barycentric: picked.barycentric}, {screen: request["pixel"]}];
       const words = samples.map((sample) => JSON.stringify(sample));
       const text = [

@@ -8,12 +8,12 @@ import {arrayIn, camera_member, changes, scene_member, scenePath, textIn, type A
 export function previewChange(context: Context): Tool {
   const {service, schemas} = context;
   const camera = {...camera_member(context), default: undefined};
-  const pictured = "With a camera also in pictures: 1 before, 2 after, 3 what changed (grey unchanged, then dark violet to yellow).";
+  const pictured = "With a camera, also draws pictures: 1 before, 2 after, 3 the change (grey for none, then dark violet to yellow).";
   return {
     name: "preview_change",
     // Not read-only in the strict sense: drawing a picture creates a temporary branch.
     annotations: {...changes, idempotentHint: true},
-    description: "Says what commands would do, and changes nothing: vertices touched, mean and largest change of each field. " + pictured,
+    description: "Says what commands would do, without changes: vertices touched, mean and largest change of each field. " + pictured,
     inputSchema: schemas.input({scene: scene_member, commands: commandsMember(), camera}, ["scene", "commands"]),
     run: async (input, caller) => {
       const path = await scenePath(service, textIn(input, "scene"), caller);

@@ -14,7 +14,7 @@ export function sceneTools(context: Context): Tool[] {
 function listScenes({service, schemas}: Context): Tool {
   return {
     name: "list_scenes", annotations: reads,
-    description: "All scenes of the server. A scene is one model with its fur and its undo steps.",
+    description: "Lists the server's scenes. A scene is a model with its fur and its undo steps.",
     inputSchema: schemas.input({}, []),
     run: async (_, caller) => {
       const list = await service.get<Answers["SceneList"]>("/v1/scenes", caller);
@@ -27,7 +27,7 @@ function listScenes({service, schemas}: Context): Tool {
 function createScene({service, schemas}: Context): Tool {
   return {
     name: "create_scene", annotations: changes,
-    description: "Makes a scene with a built-in model and a first fur. `load_model` then takes a model from a file, if one is wanted.",
+    description: "Makes a scene with a built-in model and a first fur. `load_model` can then replace it by a model from a file.",
     inputSchema: schemas.input(schemas.named("NewScene").properties ?? {}, []),
     run: async (input, caller) => {
       const scene = await service.post<Scene>("/v1/scenes", input, caller);
@@ -38,13 +38,13 @@ function createScene({service, schemas}: Context): Tool {
 
 function loadModel({service, schemas}: Context): Tool {
   const {format, ...options} = schemas.named("ImportOptions").properties ?? {};
-  const discard = {type: "boolean", default: false, description: "Begin with a first groom of its own; the groom of the scene is lost."};
-  const path = pathMember(" A model with files of its own comes as a zip archive.");
+  const discard = {type: "boolean", default: false, description: "Start with a new first groom; the scene's groom is lost."};
+  const path = pathMember(" Zip a model together with the files it references.");
   return {
     name: "load_model", annotations: destroys,
-    description: "Gives a scene the model of a file, with a first fur on it, or a new version of its model, which takes over the groom. "
-      + "Its undo steps start anew; a groomed scene stays as it was under another id.",
-    inputSchema: schemas.input({scene: scene_member, path, format: {...format, description: "Unless given, the ending of the path."}, ...options, discard}, ["scene", "path"]),
+    description: "Loads a model file into a scene. An ungroomed scene gets a first fur, a groomed one keeps its groom on the new model. "
+      + "The undo log starts empty; a groomed scene's old state stays under another id.",
+    inputSchema: schemas.input({scene: scene_member, path, format: {...format, description: "Default: the path's extension."}, ...options, discard}, ["scene", "path"]),
     run: async (input, caller) => {
       const file = textIn(input, "path");
       const at = await scenePath(service, textIn(input, "scene"), caller);
@@ -55,7 +55,7 @@ function loadModel({service, schemas}: Context): Tool {
       const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
       const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];
       const kept = scene.carried ? [`The groom went over: ${scene.carried.far} of ${scene.carried.vertices} vertices lie far from the model before. Scene ${scene.carried.before} is as this one was.`] : [];
-      const next = "Next: `views`. If the model does not stand on its feet and look along +z, load it again with up and front.";
+      const next = "Next: `views`. If the model does not stand upright facing +z, load it again with up and front.";
       return result([sceneInWords(scene), ...repaired, ...kept, next].join("\n"), scene);
     },
   };
@@ -72,7 +72,7 @@ async function bytesOf(path: string): Promise<Uint8Array> {
 function describeScene({service, schemas}: Context): Tool {
   return {
     name: "describe_scene", annotations: reads,
-    description: "What a scene holds: model, box, size, revision, undo steps, edit layers.",
+    description: "Describes a scene: model, box, size, revision, undo steps, edit layers.",
     inputSchema: schemas.input({scene: scene_member}, ["scene"]),
     run: async (input, caller) => {
       const scene = await service.get<Scene>(await scenePath(service, textIn(input, "scene"), caller), caller);
@@ -85,9 +85,9 @@ function readSettings({service, schemas}: Context): Tool {
   const names = Object.keys(schemas.named("Settings").properties ?? {});
   return {
     name: "read_settings", annotations: reads,
-    description: "Coat, look, lights, eyes and all else that `set_...` tools set, as those take it. "
+    description: "Coat, look, lights, eyes and all else that `set_...` commands set, as they take it. "
       + "The `groups` of set_curves are `curves` here, the `regions` of set_skin `skin`, the `picture` of set_skin_texture `skin_texture`.",
-    inputSchema: schemas.input({scene: scene_member, only: {type: "array", items: {enum: names}, description: "These alone; all unless given."}}, ["scene"]),
+    inputSchema: schemas.input({scene: scene_member, only: {type: "array", items: {enum: names}, description: "Only these; default: all."}}, ["scene"]),
     run: async (input, caller) => {
       const wanted = input["only"] === undefined ? names : arrayIn(input, "only");
       const unknown = wanted.findIndex((name) => !names.includes(String(name)));
@@ -115,7 +115,7 @@ function removeScene({service, schemas}: Context): Tool {
 export function branchScene({service, schemas}: Context): Tool {
   return {
     name: "branch_scene", annotations: changes,
-    description: "Makes another scene that begins as this one is, or was at a revision: to try something that is not to change this one.",
+    description: "Makes a new scene from this one, as it is or was at a revision, to try something without changing this one.",
     inputSchema: schemas.input({scene: scene_member, ...schemas.named("BranchRequest").properties}, ["scene"]),
     run: async (input, caller) => {
       const path = await scenePath(service, textIn(input, "scene"), caller);

@@ -29,9 +29,9 @@ export const scene_member: Schema = {type: "string", description: "Id or name of
 /** A short schema of a camera; the contract's full schema in each tool would fill an agent's context. */
 export const camera_member = ({cameras}: Context): Schema => ({
   type: ["string", "object"], default: "three_quarter",
-  description: `A name: ${cameras.names().join(", ")}, or one of name_camera. Or {"position": [x, y, z], "target": [x, y, z], "up": [0, 1, 0], "fov_degrees": 35}.`,
+  description: `A name: ${cameras.names().join(", ")}, or one from name_camera. Or {"position": [x, y, z], "target": [x, y, z], "up": [0, 1, 0], "fov_degrees": 35}.`,
 });
-export const dry_run_member: Schema = {type: "boolean", default: false, description: "Only say what would change; nothing changes."};
+export const dry_run_member: Schema = {type: "boolean", default: false, description: "Say what would change; change nothing."};
 
 /** Builds a tool's result from text for the agent and the same content as data. */
 export const result = (text: string, structuredContent: object): CallToolResult =>
@@ -40,13 +40,13 @@ export const result = (text: string, structuredContent: object): CallToolResult 
 export function textIn(input: Input, name: string): string {
   const value = input[name];
   if (typeof value === "string" && value !== "") return value;
-  throw new Refusal({detail: value === undefined ? `"${name}" is missing.` : `"${name}" is no text.`, pointer: `/${name}`, limit: "text of 1 or more characters"});
+  throw new Refusal({detail: value === undefined ? `"${name}" is missing.` : `"${name}" is not text.`, pointer: `/${name}`, limit: "text of 1 or more characters"});
 }
 
 export function arrayIn(input: Input, name: string): unknown[] {
   const value = input[name];
   if (Array.isArray(value)) return value;
-  throw new Refusal({detail: value === undefined ? `"${name}" is missing.` : `"${name}" is no list.`, pointer: `/${name}`, limit: "a list"});
+  throw new Refusal({detail: value === undefined ? `"${name}" is missing.` : `"${name}" is not a list.`, pointer: `/${name}`, limit: "a list"});
 }
 
 export function integerIn(input: Input, name: string, fallback: number, min: number, max: number): number {

@@ -14,7 +14,7 @@ function resultInWords({op, touched, fields, clamped, warnings}: Result, dry_run
   const did = dry_run ? "would touch" : "touched";
   return [
     `${op} ${did} ${touched} vertices${changes.length > 0 ? `: ${changes.join("; ")}` : ""}.`,
-    clamped > 0 ? `${clamped} were held at a limit.` : "",
+    clamped > 0 ? `${clamped} were clamped to a limit.` : "",
     ...warnings.map((warning) => `Warning: ${warning}`),
   ].filter(Boolean).join(" ");
 }
@@ -24,8 +24,8 @@ const missed = (results: Result[]) => results.some(({op, touched}) => touched ==
 /** Returns true for commands that set properties of the scene; they touch no vertex. */
 const setsSomething = (op: string) => /^(set_|checkpoint$|edit_layer$|mask$)/.test(op);
 
-const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, does not move, or the fur is already so "
-  + "or protected by the mask. `pick` gives positions on the surface.";
+const miss_hint = "Touched 0: the stroke lies farther from the surface than the brush's radius, does not move, the fur already is so, "
+  + "or the mask protects it. `pick` gives positions on the surface.";
 
 const max_lines = 20;
 
@@ -42,7 +42,7 @@ export function changeInWords({revision, results}: Answer, before: number): stri
 }
 
 export function previewInWords({revision, results}: Answer): string {
-  const next = `Dry run: nothing has changed, the scene is still at revision ${revision}. The tool without dry run, or run_commands, does it.`;
+  const next = `Dry run: nothing has changed, the scene is still at revision ${revision}. To do it, call without dry_run, or run_commands.`;
   return [...resultsInWords(results, true), next, missed(results) ? miss_hint : ""].filter(Boolean).join("\n");
 }
 
