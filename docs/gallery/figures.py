@@ -114,7 +114,7 @@ PATCHES = [dabbed("density", 0.04, 0.07, (140, 290), (165, 300), falloff="sphere
 
 FIGURES = [
     {"name": "per_pixel", "title": "Light at the vertices, light in each pixel (GPU fur, figure 1)",
-     "text": "In shells `lengyel`, the baseline of the paper, lights vertices, so its strands have no sides.",
+     "text": "With shells, `lengyel`, the paper's baseline, lights only vertices, so its strands have no shaded side.",
      "pictures": [picture(name, TORUS, look(shading=name), fur_of=fur(0.05, 0.5), quality=shells())
                   for name in ("lengyel", "kajiya")]},
     {"name": "lodged", "title": "Lodged fur, and a pattern (GPU fur, figure 2)",
@@ -138,7 +138,7 @@ FIGURES = [
      "pictures": [picture(kind, KNOT, lights({**ONE_LIGHT, "direction": [-0.1, -1, -0.2], "angle_degrees": 8, "cast_shadow": kind}),
                           fur_of=fur(0.015, 0.6), quality=shells(**MAPS)) for kind in ("none", "hard", "soft", "penumbra")]},
     {"name": "curves", "title": "Two lean curves (fur modelling, 5.1)",
-     "text": "The arc, and y = K sqrt(x), whose tail goes on rising when the lean is strong.",
+     "text": "The arc, and y = K sqrt(x), whose tail keeps rising when the lean is strong.",
      "pictures": [picture(f"{curve}, inclination {lean}", TORUS, coat(lean_curve=curve, root_share=0.0),
                           fur_of=fur(0.08, lean))
                   for lean in (0.35, 0.95) for curve in ("arc", "root")]},
@@ -153,13 +153,13 @@ FIGURES = [
                   for kind, overlay in (("fur", "none"), ("short lines", "strokes"))
                   for title, tool in (("before", None), ("after", PULL))]},
     {"name": "difference", "title": "What a step has changed",
-     "text": "The overlay `difference` ([history](history.md)): grey where nothing has changed, yellow most.",
+     "text": "The overlay `difference` ([history](history.md)): grey where nothing has changed, yellow where most has.",
      "pictures": [picture(title, CREATURE, studio(), tool, camera=BACK, **overlay)
                   for title, tool, overlay in (("before", None, {}), ("after", PULL, {}),
                                                ("difference", PULL, {"overlay": "difference", "overlay_from": 1}))]},
     {"name": "painted", "title": "Painted fields",
      "text": "Spots in two colours, a thinned, a bare and a wet patch, painted with [paint](tools/paint.md); two overlays; and "
-             "four fields near by, each on one half of a plane.",
+             "four fields in close-up, each on half of a plane.",
      "pictures": [*(picture(title, PAINTED_CREATURE, studio(*commands), camera=FLANK, overlay=overlay)
                     for title, commands, overlay in (("before", [], "none"), ("spots", SPOTS, "none"),
                                                      ("thinned, bare and wet", [*SPOTS, *PATCHES], "none"),
@@ -168,7 +168,7 @@ FIGURES = [
                     for title, field, value in (("half the strands", "density", 0.5), ("wet", "wetness", 1), ("clump", "clump", 0.8),
                                                 ("curl", "curl", 0.06)))]},
     {"name": "stages", "title": "From shells to fur",
-     "text": "The method `shells`: more shells give firmer fur. `adaptive` takes as many as each place needs.",
+     "text": "The method `shells`: more shells give firmer fur. `adaptive` takes only as many as each position needs.",
      "pictures": [picture(title, CREATURE, studio(), quality=shells(count=count, policy=policy))
                   for title, count, policy in (("4 shells", 4, "uniform"), ("8 shells", 8, "uniform"), ("16 shells", 16, "uniform"),
                                                ("adaptive, up to 32", 32, "adaptive"))]},
@@ -252,7 +252,7 @@ FIGURES = [
                   for name, model, options in (("koala_plush", "koala_low.obj", {}), ("cat_fox", "cat.obj", {"front": "-x"}),
                                                ("spot_sleek", "spot.obj", {"front": "-z"}), ("koala_white", "koala_low.obj", {}))]},
     {"name": "methods", "title": "Shells beside strands",
-     "text": "Six grooms in three qualities. [strands](strands.md) says what differs.",
+     "text": "Six grooms in three qualities. [Strands](strands.md) explains the differences.",
      "pictures": [picture(f"{title}, {tier}", model, *steps, studio(), fur_of=fur(length, lean), quality=tier)
                   for title, model, length, lean, steps in (
                       ("creature", CREATURE, 0.03, 0.45, []),
@@ -282,7 +282,7 @@ FIGURES = [
                                       ("rectangle", {"kind": "area", "position": [0.4, 0.9, 0.9], "direction": [-0.3, -0.7, -0.7],
                                                      "width": 0.6, "height": 0.6, "intensity": 0.5}))]},
     {"name": "passes", "title": "A progressive rendering, pass by pass",
-     "text": "Pictures of fewer than 64 passes are filtered; the last one is not.",
+     "text": "Pictures of fewer than 64 passes are filtered, except the last one here.",
      "pictures": [picture(title, CREATURE, studio(), quality={"method": "strands", "trace": trace})
                   for title, trace in (*((f"{n} passes", {"passes": n}) for n in (1, 4, 16, 64, 128)),
                                        ("16 passes, not filtered", {"passes": 16, "filter": False}))]},

@@ -101,7 +101,7 @@ def write_page():
     figures = {figure["name"]: figure for figure in FIGURES}
     assert sorted(figures) == sorted(name for _, names in SECTIONS for name in names)
     lines = ["# Gallery", "", "Each picture is a scene, commands and a frame, as any client would send them; `docs/gallery/make.py` makes them again.",
-             "Figures whose model is not on this machine are skipped then.", ""]
+             "It skips figures whose model is not on the machine.", ""]
     for title, names in SECTIONS:
         lines += [f"## {title}", ""]
         for name in names:
