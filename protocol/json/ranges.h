@@ -32,7 +32,6 @@ namespace json_parts {
 inline constexpr Range coordinate{-1e27, 1e27, "model units"};
 inline constexpr Range length_in_units{0, 1e27, "as `units`"};
 inline constexpr Range width_in_units{1e-27, 1e27, "as `units`"};
-inline constexpr Range map_scale{1e-27, 1e27, "as `units`"};
 inline constexpr Range direction_part{-1e6, 1e6, "any length"};
 inline constexpr Range share{0, 1, "share"};
 inline constexpr Range uint32_range{0, 4294967295.0};
