@@ -1,4 +1,4 @@
-"""Counts the cases of all runners; its last line is `N passed, N failed, N skipped`.
+"""Says why cases failed and counts the cases of all runners; its last line is `N passed, N failed, N skipped`.
 
 usage: count.py FOLDER CTEST [--no-skips]   FOLDER has GoogleTest's XML files, CTEST is what ctest wrote by --output-junit. Fails
 where a case failed, where there are none, and with --no-skips where GoogleTest skipped one. What Python skips needs a program or
@@ -9,6 +9,26 @@ import pathlib
 import re
 import sys
 import xml.etree.ElementTree as xml
+
+
+MAX_LINES = 40  # that are printed of one failure
+NODE_FAILURE = r"^ *not ok .*\n(?:(?! *\.\.\.$).*\n)*"
+UNITTEST_FAILURE = r"^=+\n(?:FAIL|ERROR): .*\n(?:(?!=+$|Ran \d).*\n)*"
+GOOGLETEST_FAILURE = r"^\[ RUN .*\n(?:(?!\[ {7}OK|\[  FAILED).*\n)*\[  FAILED.*\n"
+
+
+def failures_said(text):
+    """What the runners print of each test that failed; the end of the output where there is nothing of the kind."""
+    return re.findall("|".join((NODE_FAILURE, UNITTEST_FAILURE, GOOGLETEST_FAILURE)), text, re.M) or ["\n".join(text.splitlines()[-MAX_LINES:])]
+
+
+def say_failures(ctest):
+    """Prints them again at the end of all output, where they are found without reading what passed."""
+    for case in xml.parse(ctest).iter("testcase"):
+        if case.find("failure") is None:
+            continue
+        for said in failures_said(case.findtext("system-out") or ""):
+            print(f"--- {case.get('name')}", *said.splitlines()[:MAX_LINES], sep="\n")
 
 
 def outcome(case):
@@ -62,6 +82,7 @@ def cases(folder, ctest):
 def main():
     folder, ctest, *options = sys.argv[1:]
     count = collections.Counter()
+    say_failures(ctest)
     for name, what, times in cases(folder, ctest):
         count[what] += times
         if what != "passed" and times:
