@@ -42,7 +42,8 @@ class ProxyMesh(ServedTest):
         self.assertEqual(answer.status, 200, answer)
 
     def test_a_sphere(self):
-        scene = self.server.new_scene("sphere", 50000)
+        scene = self.server.new_scene("sphere", 30000)
+        self.assertEqual(len(Glb(self.mesh(scene).body).triangles), 20000)
         glb = Glb(self.mesh(scene, "?triangles=2000").body)
         self.assertLessEqual(len(glb.triangles), 2000)
         self.assertGreater(len(glb.triangles), 1500)
@@ -53,9 +54,9 @@ class ProxyMesh(ServedTest):
         self.assertLess(numpy.abs(numpy.linalg.norm(glb.normals, axis=1) - 1).max(), 1e-5)
 
     def test_a_creature_fills_its_box_and_its_coordinates_are_those_of_strokes(self):
-        scene = self.server.new_scene("creature", 60000)
-        glb, bounds = Glb(self.mesh(scene).body), scene.info()["bounds"]
-        self.assertEqual(len(glb.triangles), 20000)
+        scene = self.server.new_scene("creature", 3000)
+        glb, bounds = Glb(self.mesh(scene, "?triangles=1500").body), scene.info()["bounds"]
+        self.assertEqual(len(glb.triangles), 1500)
         size = scene.info()["size"]
         for ours, theirs in ((glb.places.min(axis=0), bounds["min"]), (glb.places.max(axis=0), bounds["max"])):
             self.assertLess(numpy.abs(ours - theirs).max(), 0.01 * size)

@@ -9,7 +9,7 @@ import time
 import unittest
 from pathlib import Path
 
-from support.server import Scene, ServedTest, Server
+from support.server import Scene, ServedTest
 
 GENERATED = """
     ALTER TABLE entries RENAME TO before;
@@ -42,7 +42,7 @@ OTHER_CELLS = {
     "a revision beyond all": "UPDATE entries SET revision = revision + 4611686018427387904",
     "commands that are none": "UPDATE entries SET commands = '[{\"op\": \"no such op\"}]'",
     "bytes that are no change": "UPDATE entries SET delta = zeroblob(1000)",
-    "bytes that are no model": "UPDATE scenes SET raw = zeroblob(100000000)",
+    "bytes that are no model": "UPDATE scenes SET raw = zeroblob(10000000)",
     "an axis that is none": "UPDATE scenes SET up = 77",
 }
 
@@ -79,8 +79,8 @@ class SavedFiles(ServedTest):
         self.hash = scene.info()["fields_hash"]
         self.assertEqual(self.server.call("DELETE", scene.path).status, 204)
 
-    def open(self, content, server=None):
-        return (server or self.server).call("POST", "/v1/open", content, headers={"Content-Type": "application/octet-stream"})
+    def open(self, content):
+        return self.server.call("POST", "/v1/open", content, headers={"Content-Type": "application/octet-stream"})
 
     def version_8(self):
         """The file as the first version that exported any wrote it: its rows have no checksums, so that others find what is wrong."""
@@ -144,7 +144,7 @@ class SavedFiles(ServedTest):
     def test_flipped_bits_make_a_whole_scene_or_none(self):
         chance = random.Random(7)
         versions = gzip.decompress(self.content), self.version_8()
-        for _ in range(60):
+        for _ in range(30):
             bytes_now = bytearray(chance.choice(versions))
             for _ in range(chance.choice((1, 1, 4, 64))):
                 bytes_now[chance.randrange(len(bytes_now))] ^= 1 << chance.randrange(8)
@@ -163,30 +163,29 @@ class SavedFiles(ServedTest):
 
     def test_killed_meanwhile_it_starts_again(self):
         """At any moment of the opening; what is there afterwards is the whole scene or nothing of it."""
-        server = Server()
-        self.addCleanup(server.close)
+        server = self.server
         large = server.new_scene("sphere", 2000, fur={"length": 0.05})
         for _ in range(300):
             self.assertEqual(large.run({"op": "noise", "flood": True, "amount": 0.3}).status, 200)
         content, wanted = server.get(f"{large.path}/export/pelage").body, large.info()
         began = time.monotonic()
-        self.assertEqual(self.open(content, server).status, 201)
+        self.assertEqual(self.open(content).status, 201)
         lasts = time.monotonic() - began
-        chance = random.Random(3)
-        for _ in range(6):
+        for share in (0.4, 0.7, 1.0):
             def post():
                 try:
-                    self.open(content, server)
+                    self.open(content)
                 except OSError:
                     pass  # the server is gone
             opening = threading.Thread(target=post)
             opening.start()
-            time.sleep(lasts * chance.uniform(0.3, 1.1))
+            time.sleep(lasts * share)
             server.kill()
             opening.join()
             server.start()
             for scene in server.get("/v1/scenes").json["scenes"]:
                 self.assertEqual((scene["revision"], scene["fields_hash"]), (wanted["revision"], wanted["fields_hash"]))
+        server.remove_scenes()
 
 
 if __name__ == "__main__":

@@ -17,7 +17,8 @@ class Layers(ServedTest):
 
     def scene_with_winter(self):
         scene = self.server.new_scene("creature", 3000)
-        self.assertEqual(scene.run({"op": "edit_layer", "name": "winter"}).status, 200)
+        thin = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
+        self.assertEqual(scene.run(thin, {"op": "edit_layer", "name": "winter"}).status, 200)
         return scene
 
     def test_an_edit_layer_shows_by_its_weight(self):

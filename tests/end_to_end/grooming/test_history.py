@@ -5,7 +5,7 @@ import pathlib
 import tempfile
 import unittest
 
-from support.server import Server, ServedTest, comb, flood
+from support.server import ServedTest, comb, flood
 
 BLUE, RED = ({"op": "paint", "field": "tip_colour", "colour": colour, "flood": True} for colour in ("#0000ff", "#ff0000"))
 
@@ -83,7 +83,8 @@ class Amend(ServedTest):
 class Branch(ServedTest):
     def test_a_branch_goes_its_own_way(self):
         scene = self.server.new_scene("sphere", 2000)
-        scene.run(comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3))
+        thin = {"op": "set_coat", "coat": {"count": 2000}}
+        scene.run(thin, comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3))
         first = scene.info()
         scene.run(BLUE)
         answer = scene.post("branch", {"name": "red one", "revision": 1})
@@ -183,10 +184,9 @@ class Lines(ServedTest):
         self.assertEqual((answer.status, answer.body, answer.headers["content-type"]), (200, b"", "application/jsonl"))
 
 
-class Restart(unittest.TestCase):
+class Restart(ServedTest):
     def test_branches_and_amendments_outlive_a_kill(self):
-        server = Server()
-        self.addCleanup(server.close)
+        server = self.server
         scene = server.new_scene("sphere", 1000)
         for step in (flood([0, -1, 0], lean=0.6), BLUE, comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3)):
             scene.run(step)

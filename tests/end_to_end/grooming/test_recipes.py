@@ -37,7 +37,7 @@ class Recipes(ServedTest):
 
     def picked(self, scene, eye, target=(0, 0, 0), up=(0, 1, 0)):
         view = {"camera": {"position": list(eye), "target": list(target), "up": list(up)}, "width": 64, "height": 64}
-        answer = self.server.post(f"/v1/scenes/{scene}/pick", {"view": view, "pixel": [32, 32]})
+        answer = self.server.post(f"/v1/scenes/{scene}/pick", {"view": view, "pixel": [32, 32], "reach": "skin"})
         self.assertTrue(answer.status == 200 and answer.json["hit"], answer)
         return answer.json
 
@@ -267,7 +267,7 @@ class Recipes(ServedTest):
     def test_a_recipe_replays_to_the_bit(self):
         hashes = []
         for _ in range(2):
-            scene = self.new("--builtin", "creature", "--triangles", 5000)
+            scene = self.new("--builtin", "creature", "--triangles", 3000)
             self.pelage("run", scene, RECIPES / "creature.json")
             hashes.append(json.loads(self.pelage("info", scene, "--json").stdout)["fields_hash"])
         self.assertEqual(hashes[0], hashes[1])

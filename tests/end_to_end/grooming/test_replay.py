@@ -4,7 +4,6 @@ import json
 import os
 import random
 import subprocess
-import tempfile
 import threading
 import unittest
 
@@ -57,7 +56,7 @@ class Replay(unittest.TestCase):
         for threads in (1, 2):
             server = Server(threads=threads)
             self.addCleanup(server.close)
-            scene = client(server, "new", "--triangles", 4000).strip()
+            scene = client(server, "new", "--builtin", "sphere", "--triangles", 2000).strip()
             first = json.loads(client(server, "info", scene, "--json"))
             client(server, "run", scene, "-", text=lines)
             groomed = json.loads(client(server, "info", scene, "--json"))
@@ -67,7 +66,7 @@ class Replay(unittest.TestCase):
 
             log = client(server, "log", scene, "--lines")
             self.assertEqual(len(log.splitlines()), groomed["undo_steps"])
-            again = client(server, "new", "--triangles", 4000).strip()
+            again = client(server, "new", "--builtin", "sphere", "--triangles", 2000).strip()
             client(server, "run", again, "-", text=log)
             hashes.add(json.loads(client(server, "info", again, "--json"))["fields_hash"])
             for replayed in (scene, again):
@@ -84,10 +83,10 @@ class Replay(unittest.TestCase):
 
 class LiveStrokes(ServedTest):
     def test_parts_give_what_the_whole_gives_and_are_one_step(self):
-        whole = comb([0, 0.2, -0.4], [0, 0.2, 0.4], samples=12, radius=0.3)
-        one = self.server.new_scene("creature", 3000)
+        whole = comb([-0.5, 0, 0.8], [0.5, 0, 0.8], samples=12, radius=0.3)
+        one = self.server.new_scene("sphere", 2000)
         self.assertEqual(one.run(whole).status, 200)
-        parts = self.server.new_scene("creature", 3000)
+        parts = self.server.new_scene("sphere", 2000)
         samples = whole["stroke"]["samples"]
         for number in range(4):
             stroke = {"id": "k7", "part": number, "last": number == 3, "samples": samples[3 * number:3 * number + 3]}
@@ -100,70 +99,69 @@ class LiveStrokes(ServedTest):
         self.assertEqual(set(kinds[1:]), {"join"})
 
 
-class Crash(unittest.TestCase):
+class Crash(ServedTest):
     def test_a_killed_server_has_it_all_after_a_restart(self):
-        with tempfile.TemporaryDirectory() as data:
-            server = Server(data=data)
-            self.addCleanup(server.close)
-            scene = server.new_scene("creature", 3000, name="survivor")
-            scene.run(flood([0, -1, 0], lean=0.6))
-            scene.post("undo")
-            answered = []
+        server = self.server
+        scene = server.new_scene("sphere", 2000, name="cub")
+        self.assertEqual(scene.post("rename", {"name": "survivor"}).status, 200)
+        scene.run({"op": "set_coat", "coat": {"count": 500}})  # it grows at once
+        scene.run(flood([0, -1, 0], lean=0.6))
+        scene.post("undo")
+        answered = []
 
-            def keep_grooming():
-                for step in groom(1000):
-                    try:
-                        answer = scene.run(step)
-                    except OSError:
-                        return
-                    except Exception:  # the answer broke off
-                        return
-                    if answer.status != 200:
-                        return
-                    answered.append(answer.json)
+        def keep_grooming():
+            for step in groom(1000):
+                try:
+                    answer = scene.run(step)
+                except OSError:
+                    return
+                except Exception:  # the answer broke off
+                    return
+                if answer.status != 200:
+                    return
+                answered.append(answer.json)
 
-            worker = threading.Thread(target=keep_grooming)
-            worker.start()
-            while len(answered) < 25 and worker.is_alive():
-                pass
-            server.kill()
-            worker.join()
-            self.assertGreaterEqual(len(answered), 25)
+        worker = threading.Thread(target=keep_grooming)
+        worker.start()
+        while len(answered) < 25 and worker.is_alive():
+            pass
+        server.kill()
+        worker.join()
+        self.assertGreaterEqual(len(answered), 25)
 
-            server.start()
-            found = scene.info()
-            self.assertEqual(found["name"], "survivor")
-            last = answered[-1]
-            # What was being done when the server died may be there or not; what was answered is.
-            self.assertGreaterEqual(found["revision"], last["revision"])
-            self.assertLessEqual(found["revision"], last["revision"] + 1)
-            if found["revision"] == last["revision"]:
-                self.assertEqual(found["fields_hash"], last["fields_hash"])
-            self.assertEqual(scene.post("revert", {"revision": last["revision"]}).json["fields_hash"], last["fields_hash"])
+        server.start()
+        found = scene.info()
+        self.assertEqual(found["name"], "survivor")
+        last = answered[-1]
+        # What was being done when the server died may be there or not; what was answered is.
+        self.assertGreaterEqual(found["revision"], last["revision"])
+        self.assertLessEqual(found["revision"], last["revision"] + 1)
+        if found["revision"] == last["revision"]:
+            self.assertEqual(found["fields_hash"], last["fields_hash"])
+        self.assertEqual(scene.post("revert", {"revision": last["revision"]}).json["fields_hash"], last["fields_hash"])
 
-            picture = scene.frame().body
-            self.assertEqual(server.terminate(), 0)
-            server.start()
-            self.assertEqual(scene.frame().body, picture)
-            self.assertEqual(server.call("DELETE", scene.path).status, 204)
-            server.kill()
-            server.start()
-            self.assertEqual(server.get("/v1/scenes").json, {"scenes": []})
+        picture = scene.frame().body
+        self.assertEqual(server.terminate(), 0)
+        server.start()
+        self.assertEqual(scene.frame().body, picture)
+        self.assertEqual(server.call("DELETE", scene.path).status, 204)
+        server.kill()
+        server.start()
+        self.assertEqual(server.get("/v1/scenes").json, {"scenes": []})
 
     def test_an_uploaded_model_survives(self):
-        with tempfile.TemporaryDirectory() as data:
-            server = Server(data=data)
-            self.addCleanup(server.close)
-            scene = server.new_scene("plane", 2)
-            model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
-            self.assertEqual(server.call("PUT", f"{scene.path}/model?format=obj", model).status, 200)
-            scene.run(flood([0, 0, 1], lean=0.9))
-            before, picture = scene.info(), scene.frame().body
-            self.assertEqual(before["triangles"], 4)
-            server.kill()
-            server.start()
-            self.assertEqual(scene.info(), before)
-            self.assertEqual(scene.frame().body, picture)
+        server = self.server
+        scene = server.new_scene("plane", 2)
+        model = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"
+        self.assertEqual(server.call("PUT", f"{scene.path}/model?format=obj", model).status, 200)
+        scene.run({"op": "set_coat", "coat": {"count": 500}}, flood([0, 0, 1], lean=0.9))
+        before, picture = scene.info(), scene.frame().body
+        self.assertEqual(before["triangles"], 4)
+        server.kill()
+        server.start()
+        self.assertEqual(scene.info(), before)
+        self.assertEqual(scene.frame().body, picture)
+        self.assertEqual(server.call("DELETE", scene.path).status, 204)
 
 
 if __name__ == "__main__":

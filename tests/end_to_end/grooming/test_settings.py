@@ -24,7 +24,7 @@ class Settings(ServedTest):
 
     def test_what_is_read_and_sent_back_changes_nothing(self):
         for builtin in ("creature", "sphere"):
-            scene = self.server.new_scene(builtin, 500)
+            scene = self.server.new_scene(builtin, 3000)
             settings = self.settings(scene)
             self.assertEqual(set(settings), {*SET, "revision", "checkpoints", "edit_layers"})
             for member in SET:
@@ -33,7 +33,7 @@ class Settings(ServedTest):
                 self.assertEqual(answer.json["results"][0]["touched"], 0)
 
     def test_one_member_is_changed_and_sent_back(self):
-        scene = self.server.new_scene("creature", 500)
+        scene = self.server.new_scene("creature", 3000)
         coat = self.settings(scene)["coats"][0]["coat"]
         self.assertEqual(scene.run({"op": "set_coat", "coat": {**coat, "bend": 0.75}}).json["revision"], 1)
         settings = self.settings(scene)
@@ -44,7 +44,7 @@ class Settings(ServedTest):
         self.assertEqual(self.settings(scene)["eyes"], eyes)
 
     def test_earlier_revisions(self):
-        scene = self.server.new_scene("creature", 500)
+        scene = self.server.new_scene("creature", 3000)
         first = self.settings(scene)
         scene.run(command("eyes", []))
         scene.run({"op": "checkpoint", "name": "eyeless"})

@@ -13,6 +13,7 @@ from support.server import REPOSITORY, ServedTest, shared_folder
 
 DEMO = REPOSITORY / "deploy" / "demo_groom.py"
 FRAME = {"width": 192, "height": 192, "background": "transparent"}
+THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 
 
 def demo_steps(info):
@@ -44,7 +45,7 @@ class Tools(ServedTest):
 
     def picked(self, scene):
         view = {"camera": {"auto": "three_quarter"}, "width": 512, "height": 512}
-        answers = [scene.post("pick", {"view": view, "pixel": [x, y]}).json
+        answers = [scene.post("pick", {"view": view, "pixel": [x, y], "reach": "skin"}).json
                    for x in range(120, 420, 20) for y in range(120, 420, 20)]
         return [a for a in answers if a["hit"]]
 
@@ -71,7 +72,9 @@ class Tools(ServedTest):
             before, fields = after, now
 
     def test_creature(self):
-        self.check_steps(self.server.new_scene("creature", 5000))
+        scene = self.server.new_scene("creature", 3000)
+        self.assertEqual(scene.run(THIN_COAT).status, 200)
+        self.check_steps(scene)
 
     def check_file(self, path, query):
         scene = self.server.new_scene("torus")
@@ -89,6 +92,7 @@ class Tools(ServedTest):
 
     def test_curves_come_and_go(self):
         scene = self.server.new_scene("creature", 3000)
+        self.assertEqual(scene.run(THIN_COAT).status, 200)
         whiskered = scene.frame(**FRAME)
         self.assertEqual(scene.run({"op": "set_curves", "groups": []}).status, 200)
         bare = scene.frame(**FRAME)
@@ -110,12 +114,12 @@ class Tools(ServedTest):
 
     def test_dense_fur_of_a_file_shows_no_background(self):
         scene = self.server.new_scene("torus")
-        content = (shared_folder() / "meshes" / "koala.ply").read_bytes()
-        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=ply", content).status, 200)
+        content = (shared_folder() / "meshes" / "koala_low.obj").read_bytes()
+        self.assertEqual(self.server.call("PUT", f"{scene.path}/model?format=obj", content).status, 200)
         self.check_background(scene)
 
     def test_dense_fur_shows_no_background(self):
-        self.check_background(self.server.new_scene("creature", 5000))
+        self.check_background(self.server.new_scene("creature", 3000))
 
     def check_background(self, scene):
         """Behind pixels that say they are opaque (alpha 255 stands for .998 and more) no more of the background shows than
@@ -129,6 +133,7 @@ class Tools(ServedTest):
         step = linear(numpy.maximum(red, green) + 1) - linear(numpy.maximum(red, green))
         leak = numpy.abs(linear(red) - linear(green)) - step
         self.assertLessEqual(leak.max(), 0.5 / 255)
+
 
 class BrushSymmetry(ServedTest):
     """A brush's own symmetry stands in place of the scene's."""

@@ -5,9 +5,11 @@ import os
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 
 from support.contract import named
+from support.jobs import THIN_COAT
 from support.server import BIN, Server, ServedTest, lines_of
 
 
@@ -25,6 +27,7 @@ class Dial(ServedTest):
     def setUpClass(cls):
         super().setUpClass()
         cls.scene = cls.server.new_scene("torus", 800)
+        cls.scene.run(THIN_COAT)
 
     def test_answers_say_what_the_contract_says(self):
         for request in ({"budget_ms": 60}, {"max_error": 0.5}, {"quality": "interactive"}, {}):
@@ -68,6 +71,7 @@ class Dial(ServedTest):
             listed = self.server.get(address).json
             named("FrameProgressList").validate(listed)
             seen += listed["frames"]
+            time.sleep(0.01)
         drawing.join()
         self.assertEqual({(one["view"], one["width"]) for one in seen}, {("slow", 1500)})
         self.assertGreater(max(one["share"] for one in seen), 0)
@@ -91,6 +95,7 @@ class Dial(ServedTest):
     def test_the_ends(self):
         """No machine draws a large frame in the least budget."""
         scene = self.server.new_scene("torus", 800)  # whose correction is its own
+        scene.run(THIN_COAT)
         too_large = {"budget_ms": 1, "width": 2048, "height": 2048}
         ends = [header(scene.frame(**request), "pelage-error")["end"]
                 for request in (too_large, {"budget_ms": 600000}, {"max_error": 1}, {"max_error": 0.000001}, {})]
@@ -146,6 +151,7 @@ class Dial(ServedTest):
         bald = self.server.new_scene("plane", 2, fur={"length": 0})
         long = self.server.new_scene("sphere", 100, fur={"length": 10})
         for scene in (bald, long):
+            scene.run(THIN_COAT)
             for goal in ({"budget_ms": 1}, {"max_error": 1}):
                 for size in ({"width": 1, "height": 1}, {"width": 8192, "height": 1}):
                     estimate = header(scene.frame(**goal, **size), "pelage-error")
@@ -162,8 +168,9 @@ class Dial(ServedTest):
 
 class StoredCalibration(unittest.TestCase):
     def calibration_of(self, server):
-        estimate = header(server.new_scene("plane", 2).frame(budget_ms=50, width=32, height=32), "pelage-error")
-        return estimate["calibration"]
+        scene = server.new_scene("plane", 2)
+        scene.run(THIN_COAT)
+        return header(scene.frame(budget_ms=50, width=32, height=32), "pelage-error")["calibration"]
 
     def test_a_broken_file_is_said_and_the_defaults_count(self):
         server = Server()

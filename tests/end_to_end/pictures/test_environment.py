@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy
 
+from support.jobs import THIN_COAT
 from support.pictures import exr, hdr, png
 from support.server import ServedTest
 
@@ -19,7 +20,7 @@ class Environment(ServedTest):
 
     def scene(self):
         scene = self.server.new_scene("sphere", 500)
-        grey = {"op": "set_coat", "coat": {"ramp": [{"at": 0, "colour": [0.5, 0.5, 0.5]}]}}
+        grey = {"op": "set_coat", "coat": {**THIN_COAT["coat"], "ramp": [{"at": 0, "colour": [0.5, 0.5, 0.5]}]}}
         scene.run({"op": "set_lights", "lights": []}, grey, {"op": "set_look", "look": {"skin": [0.5, 0.5, 0.5]}})
         return scene
 
@@ -76,7 +77,8 @@ class Environment(ServedTest):
                 answer = self.put(scene, content)
                 self.assert_problem(answer, 422)
                 self.assertIn("environment cannot be read", answer.json["detail"])
-        self.assertIn("column 2 of row 1", self.put(scene, exr(bad)).json["detail"])
+                if name == "no number":
+                    self.assertIn("column 2 of row 1", answer.json["detail"])
         self.assertEqual(scene.info()["revision"], 1)
         self.assertEqual(self.server.get("/livez").status, 200)
 

@@ -7,11 +7,19 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
+from support.jobs import THIN_COAT
 from support.nightly import nightly
 from support.server import Server, ServedTest, flood
 
 SIZE = {"width": 96, "height": 96}
 ROUNDS = 400  # requests that a loop makes at most
+
+
+def thin_torus(server):
+    """At revision 1."""
+    scene = server.new_scene("torus", 500)
+    scene.run(THIN_COAT)
+    return scene
 
 
 def trace_of(answer):
@@ -20,7 +28,8 @@ def trace_of(answer):
 
 class Traced(ServedTest):
     def setUp(self):
-        self.scene = self.server.new_scene("torus", 500)
+        self.scene = thin_torus(self.server)
+        self.addCleanup(self.server.call, "DELETE", self.scene.path)  # which ends its traces
 
     def ask(self, query="", *, progressive=None, scene=None, **request):
         """A request with progressive."""
@@ -52,7 +61,7 @@ class Traced(ServedTest):
         trace = trace_of(answer)
         self.assertEqual((trace["passes"], trace["end"]), (4, "passes"))
         self.assertGreater(trace["strands"], 0)
-        self.assertEqual(answer.headers["etag"], '"0.4"')
+        self.assertEqual(answer.headers["etag"], '"1.4"')
         quality = json.loads(answer.headers["pelage-quality"])
         self.assertEqual(quality["method"], "strands")
         for stage in ("queue", "upload", "draw", "grow", "trace", "read", "encode"):
@@ -66,7 +75,7 @@ class Traced(ServedTest):
         self.assertNotEqual(self.reference({"seed": 9}).body, first.body)
         one = Server(threads=1)
         try:
-            scene = one.new_scene("torus", 500)
+            scene = thin_torus(one)
             request = {**SIZE, "quality": {"method": "strands", "trace": {"passes": 4, "strands": 20000}}}
             self.assertEqual(scene.post("frames", request).body, first.body, "whatever --threads is")
         finally:
@@ -83,11 +92,11 @@ class Traced(ServedTest):
         answer = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32&quality=reference")
         self.assertEqual(answer.status, 200, answer)
         self.assertEqual(trace_of(answer)["passes"], 64)
-        self.assertEqual(answer.headers["etag"], '"0.64"')
+        self.assertEqual(answer.headers["etag"], '"1.64"')
         known = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32&quality=reference",
-                                headers={"If-None-Match": '"0.64"'})
+                                headers={"If-None-Match": '"1.64"'})
         self.assertEqual(known.status, 304)
-        drawn = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32", headers={"If-None-Match": '"0.64"'})
+        drawn = self.server.get(f"{self.scene.path}/frame.png?width=32&height=32", headers={"If-None-Match": '"1.64"'})
         self.assertEqual(drawn.status, 200, "what is rasterized is another picture")
 
     # ProgressivePicture
@@ -99,28 +108,28 @@ class Traced(ServedTest):
         self.assertEqual(drawn.body, plain.body, "the request's own quality")
         self.assertNotIn("pelage-trace", plain.headers)
         self.assertEqual((trace_of(drawn)["passes"], trace_of(drawn)["end"]), (0, "none"))
-        self.assertEqual(drawn.headers["etag"], '"0"')
+        self.assertEqual(drawn.headers["etag"], '"1"')
         seen = []
         while not seen or trace_of(seen[-1])["end"] == "none":
             passes = trace_of(seen[-1])["passes"] if seen else 0
-            answer = self.better(0, passes)
+            answer = self.better(1, passes)
             self.assertEqual(answer.status, 200, answer)
             self.assertGreater(trace_of(answer)["passes"], passes)
-            self.assertEqual(answer.headers["pelage-revision"], "0")
-            self.assertEqual(answer.headers["etag"], f'"0.{trace_of(answer)["passes"]}"')
+            self.assertEqual(answer.headers["pelage-revision"], "1")
+            self.assertEqual(answer.headers["etag"], f'"1.{trace_of(answer)["passes"]}"')
             seen.append(answer)
         self.assertEqual(trace_of(seen[-1])["passes"], 8)
-        self.assertEqual(self.better(0, 8, wait=0.2).status, 304, "there is nothing better")
-        self.assertEqual(self.better(0, 7, wait=0).body, seen[-1].body, "the last one stays")
+        self.assertEqual(self.better(1, 8, wait=0.2).status, 304, "there is nothing better")
+        self.assertEqual(self.better(1, 7, wait=0).body, seen[-1].body, "the last one stays")
         same = self.scene.post("frames", {**SIZE, "quality": json.loads(seen[-1].headers["pelage-quality"])})
         self.assertEqual(same.body, seen[-1].body, "a progressive picture ends where the reference does")
 
     def test_a_stroke_answers_a_rasterized_picture_of_the_new_revision(self):
         long = {"passes": 60000, "strands": 20000}
         self.ask(progressive=long)
-        self.assertEqual(trace_of(self.better(0, 0, progressive=long))["passes"] > 0, True)
+        self.assertEqual(trace_of(self.better(1, 0, progressive=long))["passes"] > 0, True)
         waiting = {}
-        waiter = threading.Thread(target=lambda: waiting.update(answer=self.better(0, 59999, progressive=long)))
+        waiter = threading.Thread(target=lambda: waiting.update(answer=self.better(1, 59999, progressive=long)))
         waiter.start()
         time.sleep(0.3)
         revision = self.stroke()
@@ -134,7 +143,7 @@ class Traced(ServedTest):
             self.assertEqual(answer.headers["pelage-revision"], str(revision), "no picture of the old revision")
             self.assertGreater(trace_of(answer)["passes"], passes)
             passes = trace_of(answer)["passes"]
-        old = self.better(0, 0, progressive=long)
+        old = self.better(1, 0, progressive=long)
         self.assertEqual(old.headers["pelage-revision"], str(revision))
         self.assertEqual(trace_of(old)["passes"], 0)
         undone = self.scene.post("undo").json["revision"]
@@ -143,7 +152,7 @@ class Traced(ServedTest):
     def test_progressive_rendering_starts_again_where_it_was_dropped(self):
         self.ask()
         self.scene.frame(**SIZE, view="artist")  # something else
-        answer = self.better(0, 0)
+        answer = self.better(1, 0)
         self.assertGreater(trace_of(answer)["passes"], 0)
 
     def test_two_views(self):
@@ -154,7 +163,7 @@ class Traced(ServedTest):
         for view in (left, right):
             passes = 0
             for _ in range(ROUNDS):
-                answer = self.better(0, passes, **view)
+                answer = self.better(1, passes, **view)
                 passes = trace_of(answer)["passes"]
                 if trace_of(answer)["end"] != "none":
                     break
@@ -168,7 +177,7 @@ class Traced(ServedTest):
         for _ in range(3):
             revision = self.stroke()
             self.assertEqual(self.scene.frame(**SIZE).headers["pelage-revision"], str(revision))
-        self.assertEqual(self.better(0, 0, progressive=long).headers["pelage-revision"], str(revision))
+        self.assertEqual(self.better(1, 0, progressive=long).headers["pelage-revision"], str(revision))
 
     def test_superseded(self):
         outcome = {}
@@ -181,11 +190,11 @@ class Traced(ServedTest):
         self.assert_problem(outcome["answer"], 409)
 
     def test_scene_that_goes_away(self):
-        scene = self.server.new_scene("torus", 500)
+        scene = thin_torus(self.server)
         long = {"passes": 60000, "strands": 20000}
         self.ask(progressive=long, scene=scene)
         outcome = {}
-        waiter = threading.Thread(target=lambda: outcome.update(answer=self.better(0, 50000, progressive=long, scene=scene)))
+        waiter = threading.Thread(target=lambda: outcome.update(answer=self.better(1, 50000, progressive=long, scene=scene)))
         waiter.start()
         time.sleep(0.3)
         self.assertEqual(self.server.call("DELETE", scene.path).status, 204)
@@ -196,7 +205,7 @@ class Traced(ServedTest):
     def test_server_that_stops(self):
         server = Server()
         try:
-            scene = server.new_scene("torus", 500)
+            scene = thin_torus(server)
             outcome = {}
             request = {**SIZE, "quality": {"method": "strands", "trace": {"passes": 60000}}}
             waiter = threading.Thread(target=lambda: outcome.update(answer=scene.post("frames", request)))
@@ -235,12 +244,12 @@ class Traced(ServedTest):
     def test_memory_is_bounded(self):
         server = Server(arguments=["--trace-memory", "0.0625"])
         try:
-            scene = server.new_scene("torus", 500)
-            answer = scene.post("frames", {"width": 4096, "height": 4096, "quality": "reference"})
+            scene = thin_torus(server)
+            answer = scene.post("frames", {"width": 2048, "height": 2048, "quality": "reference"})
             self.assert_problem(answer, 413)
-            request = {"width": 4096, "height": 4096, "quality": "draft", "progressive": True, "view": "artist"}
+            request = {"width": 2048, "height": 2048, "quality": "draft", "progressive": True, "view": "artist"}
             self.assertEqual(scene.post("frames", request).status, 200, "what is rasterized takes no such memory")
-            self.assert_problem(scene.post("frames?after=0&after_pass=0&wait=20", request), 413)
+            self.assert_problem(scene.post("frames?after=1&after_pass=0&wait=20", request), 413)
         finally:
             server.close()
 
@@ -253,7 +262,6 @@ class Traced(ServedTest):
         self.assertGreater(float(values["pelage_trace_seconds_total"]), 0)
 
     def test_client(self):
-        self.scene.post("undo")
         file = self.server.folder / "traced.png"
         size = ["--width", "64", "--height", "64", "-o", file]
         run = self.pelage("frame", self.scene.id, *size, "--quality", "reference", "--passes", 2, "--strands", 20000)

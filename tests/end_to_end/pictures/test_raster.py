@@ -5,12 +5,20 @@ import unittest
 import numpy
 
 from support.exr import read_exr
+from support.jobs import THIN_COAT
 from support.nightly import nightly
-from support.server import ServedTest, Server, comb, flood
+from support.server import ServedTest, Server, comb, flood, shared_server
 
 ALL = {"method": "raster", "raster": {"strands": 1000, "light_of": 1}}
 VIEW = {"camera": {"auto": "front"}, "width": 160, "height": 120, "quality": {"method": "raster"}}
 LIGHT = {**VIEW, "format": "exr", "exr_type": "float", "background": "transparent"}
+
+
+def thin_scene(server, builtin="sphere", triangles=2000):
+    """At revision 1."""
+    scene = server.new_scene(builtin, triangles)
+    scene.run(THIN_COAT)
+    return scene
 
 
 class Raster(ServedTest):
@@ -34,6 +42,7 @@ class Raster(ServedTest):
 
     def test_the_layers_are_those_of_the_picture(self):
         scene = self.server.new_scene("sphere", 2000)
+        scene.run({"op": "set_coat", "coat": {"count": 1500, "width_root": 0.003}})
         scene.run(flood([0, -1, 0], lean=0.6))
         names = ["beauty", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow"]
         layers = read_exr(scene.frame(**{**LIGHT, "quality": ALL, "aovs": names}).body)
@@ -49,22 +58,22 @@ class Raster(ServedTest):
         self.assertGreater(layers["albedo.R"][middle], layers["albedo.B"][middle])
 
     def test_a_crop_has_the_pixels_of_the_whole(self):
-        scene = self.server.new_scene("creature", 3000)
+        scene = thin_scene(self.server, "torus")
         whole = scene.frame(**VIEW).image
         crop = {"left": 33, "top": 21, "width": 70, "height": 50}
         part = scene.frame(**VIEW, crop=crop).image
         self.assertTrue((part == whole[21:71, 33:103]).all())
 
     def test_strokes_are_seen_and_undone_to_the_bit(self):
-        scene = self.server.new_scene("sphere", 2000)
+        scene = thin_scene(self.server)
         before = scene.frame(**VIEW).body
         self.assertEqual(scene.run(comb([-0.3, 0, 0.5], [0.3, 0, 0.5], radius=0.2)).status, 200)
         combed = scene.frame(**VIEW).body
         self.assertNotEqual(combed, before)
         scene.post("undo", {})
         self.assertEqual(scene.frame(**VIEW).body, before)
-        self.assertEqual(scene.frame(**VIEW, revision=1).body, combed)
-        other = self.server.new_scene("sphere", 2000)
+        self.assertEqual(scene.frame(**VIEW, revision=2).body, combed)
+        other = thin_scene(self.server)
         other.run(comb([-0.3, 0, 0.5], [0.3, 0, 0.5], radius=0.2))
         self.assertEqual(other.frame(**VIEW).body, combed, "grown at once, not after what was there")
 
@@ -78,7 +87,7 @@ class Raster(ServedTest):
             alone.close()
 
     def test_overlays_lie_over_it(self):
-        scene = self.server.new_scene("sphere", 2000)
+        scene = thin_scene(self.server)
         plain = scene.frame(**VIEW).image.astype(int)
         shown = scene.frame(**VIEW, overlay="length").image.astype(int)
         self.assertGreater(abs(shown[60, 80, :3] - plain[60, 80, :3]).max(), 20)
@@ -96,19 +105,15 @@ class Raster(ServedTest):
     def test_shells_need_a_gl(self):
         shells = {**VIEW, "quality": {"method": "shells"}, "background": "transparent"}
         self.assert_problem(self.server.new_scene("sphere", 500).post("frames", shells), 422, "/quality/method")
-        layered = Server(gl="osmesa")
-        try:
-            scene = layered.new_scene("sphere", 500)
-            drawn, strands = (scene.frame(**{**shells, **more}).image.astype(float) for more in ({}, {"quality": {}}))
-            self.assertAlmostEqual(drawn[..., 3].sum() / strands[..., 3].sum(), 1, delta=0.1, msg="it is the same ball")
-            self.assertGreater(abs(drawn - strands).mean(), 1, "drawn another way")
-            light = read_exr(scene.frame(**{**shells, "format": "exr", "aovs": ["beauty", "alpha"]}).body)
-            self.assertGreater(light["G"].max(), 0.05)
-        finally:
-            layered.close()
+        scene = thin_scene(shared_server({"gl": "osmesa"}))
+        drawn, strands = (scene.frame(**{**shells, **more}).image.astype(float) for more in ({}, {"quality": {}}))
+        self.assertAlmostEqual(drawn[..., 3].sum() / strands[..., 3].sum(), 1, delta=0.1, msg="it is the same ball")
+        self.assertGreater(abs(drawn - strands).mean(), 1, "drawn another way")
+        light = read_exr(scene.frame(**{**shells, "format": "exr", "aovs": ["beauty", "alpha"]}).body)
+        self.assertGreater(light["G"].max(), 0.05)
 
     def test_an_address_and_a_dry_run_know_it(self):
-        scene = self.server.new_scene("sphere", 2000)
+        scene = thin_scene(self.server)
         answer = self.server.get(f"{scene.path}/frame.png?camera=front&width=160&height=120&method=raster")
         self.assertEqual(answer.body, scene.frame(**VIEW).body)
         cost = scene.post("frames?dry_run=1", VIEW).json
@@ -116,11 +121,11 @@ class Raster(ServedTest):
         self.assertLess(cost["seconds"], 1)
 
     def test_a_traced_picture_follows_it(self):
-        scene = self.server.new_scene("sphere", 2000)
+        scene = thin_scene(self.server)
         request = {**VIEW, "progressive": {"passes": 2, "strands": 20000}}
         first = scene.post("frames", request)
         self.assertEqual((first.status, first.headers["pelage-trace"][:12]), (200, '{"passes":0,'))
-        better = scene.post("frames?after=0&after_pass=0&wait=20", request)
+        better = scene.post("frames?after=1&after_pass=0&wait=20", request)
         self.assertEqual(better.status, 200, better)
         self.assertNotEqual(better.body, first.body)
 

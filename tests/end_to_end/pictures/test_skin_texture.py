@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
+from support.jobs import THIN_COAT
 from support.pictures import hdr, png
 from support.server import ServedTest
 
@@ -30,6 +31,7 @@ def sheet(cells=6, with_uvs=True):
 class Backplate(ServedTest):
     def scene(self, query="", with_uvs=True):
         scene = self.server.new_scene("plane", 2)
+        scene.run(THIN_COAT)
         answer = self.server.call("PUT", f"{scene.path}/model?format=obj&inclination=0{query}", sheet(with_uvs=with_uvs))
         self.assertEqual(answer.status, 200, answer)
         return scene
@@ -84,7 +86,7 @@ class Backplate(ServedTest):
             self.assertIn("picture cannot be read", answer.json["detail"])
         self.assert_problem(scene.run({"op": "set_skin_texture", "picture": "0" * 32}), 422, "/picture")
         self.assertEqual(self.put(scene, png(RED_AND_BLUE), headers={"If-Match": '"7"'}).status, 412)
-        self.assertEqual(scene.info()["revision"], 1)
+        self.assertEqual(scene.info()["revision"], 2)
         for bare in (self.scene(with_uvs=False), self.server.new_scene("sphere", 200)):
             answer = self.put(bare, png(RED_AND_BLUE))
             self.assert_problem(answer, 422, "/picture")
@@ -95,7 +97,7 @@ class Backplate(ServedTest):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "zebra.png"
             path.write_bytes(png(RED_AND_BLUE))
-            self.assertIn("revision 2", self.pelage("skin-texture", scene.id, path).stdout)
+            self.assertIn("revision 3", self.pelage("skin-texture", scene.id, path).stdout)
             path.write_bytes(b"x")
             self.assertIn("cannot be read", self.pelage("skin-texture", scene.id, path, code=3).stderr)
         self.assert_red_and_blue(scene)
@@ -109,6 +111,7 @@ class FurPatches(ServedTest):
         frames = {}
         for how in ("overlapping", "hard", "own_uvs"):
             scene = self.server.new_scene("plane", 2)
+            scene.run(THIN_COAT)
             self.assertEqual(self.load(scene, how).json["fur_patches"], how)
             frames[how] = (scene, scene.frame().body)
         self.assertNotEqual(frames["overlapping"][1], frames["own_uvs"][1])

@@ -83,7 +83,7 @@ class TraceExtremes(ServedTest):
         server = Server(arguments=["--trace-memory", "0.0625"])
         try:
             scene = server.new_scene("torus", 500)
-            scene.run({"op": "set_coat", "coat": {"count": 100000, "tile": 0.05}})
+            scene.run({"op": "set_coat", "coat": {"count": 10000, "tile": 0.016}})
             self.assert_problem(self.traced(scene, {"strands": 8000000}), 413, "/quality/trace/strands")
             self.answered(scene, {"strands": 500})
         finally:

@@ -1,5 +1,6 @@
 """The contract that the build makes, and validators of its schemas."""
 
+import functools
 import json
 
 import jsonschema
@@ -14,5 +15,6 @@ def validator(schema):
     return jsonschema.Draft202012Validator({**schema, "components": CONTRACT["components"]})
 
 
+@functools.cache  # a new one resolves all references again, which takes longer than to validate
 def named(name):
     return validator({"$ref": f"#/components/schemas/{name}"})
