@@ -5,7 +5,7 @@ import {tmpdir} from "node:os";
 import {join} from "node:path";
 import {test} from "node:test";
 import {objFolder} from "../studio/support/models.mjs";
-import {agent, pixelsOf, start} from "./support/agent.mjs";
+import {agent, pixelsOf, start, thinScene} from "./support/agent.mjs";
 
 const scene = "fox";
 const view = {width: 192, height: 192};
@@ -18,7 +18,7 @@ const look = async () => pixelsOf((await agent.call("look", {scene, ...view})).i
 const revision = async () => (await agent.call("describe_scene", {scene})).data.revision;
 
 start(async () => {
-  await agent.call("create_scene", {name: scene, model: {triangles: 3000}});
+  await thinScene(scene, "sphere", 3000);
   first = await look();
 });
 
@@ -33,16 +33,16 @@ function difference(a, b) {
 test("it combs, sees the fur change, undoes and sees it as before", async () => {
   assert.deepEqual([first.width, first.height], [192, 192]);
   const combed = await agent.call("comb", {scene, ...comb()});
-  assert.equal(combed.data.revision, 1);
+  assert.equal(combed.data.revision, 2);
   assert.ok(combed.data.results[0].touched > 100);
   assert.match(combed.text, /touched \d+ vertices: direction.*`undo` takes it back/s);
   assert.ok(difference(first, await look()) > 500, "the fur has not moved");
   const undone = await agent.call("undo", {scene});
-  assert.deepEqual([undone.data.undo_steps, undone.data.redo_steps], [0, 1]);
+  assert.deepEqual([undone.data.undo_steps, undone.data.redo_steps], [1, 1]);
   assert.equal(difference(first, await look()), 0, "the fur is not as before");
   await agent.call("redo", {scene});
   assert.ok(difference(first, await look()) > 500);
-  await agent.call("revert", {scene, revision: 0});
+  await agent.call("revert", {scene, revision: 1});
   assert.equal(difference(first, await look()), 0);
 });
 
@@ -96,7 +96,7 @@ test("a model is loaded from a file", async () => {
   const folder = mkdtempSync(join(tmpdir(), "pelage-mcp-"));
   try {
     const path = join(objFolder(folder), "box.obj");
-    await agent.call("create_scene", {name: "box"});
+    await agent.call("create_scene", {name: "box", model: {builtin: "plane", triangles: 2}});
     const {data, text} = await agent.call("load_model", {scene: "box", path, up: "z", front: "x", length: 0.1});
     assert.deepEqual([data.model, data.vertices, data.triangles, data.up, data.front], ["obj", 8, 12, "z", "x"]);
     assert.match(text, /8 vertices, 12 triangles/);
@@ -111,7 +111,7 @@ test("a model is loaded from a file", async () => {
 });
 
 test("fields come from another scene, and a removed scene is gone", async () => {
-  await agent.call("create_scene", {name: "twin", model: {triangles: 3000}});
+  await agent.call("create_scene", {name: "twin", model: {builtin: "sphere", triangles: 3000}});
   await agent.call("length", {scene: "twin", flood: true, value: 0.01, brush: {strength: 1}});
   const {data} = await agent.call("retarget", {scene, source_scene: "twin"});
   assert.ok(data.results[0].touched > 1000);

@@ -22,7 +22,7 @@ test("every look and recipe is a resource with what its file has", async () => {
 });
 
 test("every look is put on, as one step", async () => {
-  await agent.call("create_scene", {name: "a", model: {triangles: 1000}});
+  await agent.call("create_scene", {name: "a", model: {builtin: "sphere", triangles: 500}});
   const names = agent.tools.get("apply_look").inputSchema.properties.name.enum;
   assert.deepEqual(names, files("looks"));
   for (const name of names) await agent.call("apply_look", {scene: "a", name});

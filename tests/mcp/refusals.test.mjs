@@ -3,11 +3,11 @@ import assert from "node:assert/strict";
 import {spawnSync} from "node:child_process";
 import {test} from "node:test";
 import {Server} from "../studio/support/server.mjs";
-import {Agent, agent, program, server, start} from "./support/agent.mjs";
+import {Agent, agent, program, server, start, thinScene} from "./support/agent.mjs";
 
 const scene = "fox";
 const samples = [{position: [0, 1, 0]}, {position: [0, 1, 0.1]}];
-start(() => agent.call("create_scene", {name: scene, model: {triangles: 1000}}));
+start(() => thinScene(scene, "sphere", 300));
 
 const cases = [
   ["a number out of range", "comb", {scene, brush: {radius: -1}, stroke: {samples}}, {pointer: "/brush/radius", limit: "[0, 1e+27]"}],
@@ -18,7 +18,7 @@ const cases = [
   ["no scene", "undo", {}, {pointer: "/scene"}],
   ["an unknown scene", "undo", {scene: "fxo"}, {pointer: "/scene", nearest: "fox", limit: /fox \(/}],
   ["an unknown source of fields", "retarget", {scene, source_scene: "fix"}, {pointer: "/source_scene", nearest: "fox"}],
-  ["more undo than there is", "undo", {scene, steps: 7}, {pointer: "/steps", limit: "at most 0"}],
+  ["more undo than there is", "undo", {scene, steps: 7}, {pointer: "/steps", limit: "at most 1"}],
   ["a picture too large", "look", {scene, width: 9000}, {pointer: "/width", limit: /8192/}],
   ["a picture nobody can see", "look", {scene, format: "exr"}, {pointer: "/format", limit: "png | jpeg"}],
   ["a camera of a view", "views", {scene, views: [{}, {camera: {auto: "frnt"}}]}, {pointer: "/views/1/camera/auto", nearest: "front"}],
@@ -47,7 +47,7 @@ for (const [what, tool, input, wanted] of cases) {
     }
     assert.match(refusal.text, /^Next: ./m);
     assert.doesNotMatch(refusal.text, /pelage-mcp failed/);
-    assert.equal((await agent.call("describe_scene", {scene})).data.undo_steps, 0);
+    assert.equal((await agent.call("describe_scene", {scene})).data.undo_steps, 1);
   });
 }
 

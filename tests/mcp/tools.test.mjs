@@ -4,10 +4,11 @@ import {test} from "node:test";
 import {agent, server, start} from "./support/agent.mjs";
 import {Ajv} from "./support/packages.mjs";
 
+const ajv = new Ajv({strict: false});
 let contract;
 start(async () => {
   contract = await server.get("/openapi.json");
-  await agent.call("create_scene", {name: "fox", model: {triangles: 1000}});
+  await agent.call("create_scene", {name: "fox", model: {builtin: "sphere", triangles: 500}});
 });
 
 const commandNames = () => Object.keys(contract.components.schemas.Command.discriminator.mapping);
@@ -26,7 +27,7 @@ test("schemas are plain objects on top, hold all that they refer to, and say wha
     assert.equal(typeof annotations.readOnlyHint, "boolean", name);
     for (const keyword of ["oneOf", "anyOf", "allOf", "not", "if", "then", "else", "$ref"]) assert.ok(!(keyword in inputSchema), `${name} has ${keyword} on top`);
     assert.doesNotMatch(JSON.stringify(inputSchema) + description, /#\/components/, `${name} refers to the contract`);
-    new Ajv({strict: false}).compile(inputSchema);
+    ajv.compile(inputSchema);
   }
 });
 

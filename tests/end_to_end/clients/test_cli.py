@@ -18,6 +18,9 @@ from support.nightly import nightly
 from support.server import BIN, ServedTest, comb, flood, shared_folder
 
 
+THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
+
+
 class Client(ServedTest):
     def new(self, *arguments):
         return self.pelage("new", *arguments).stdout.strip()
@@ -28,14 +31,14 @@ class Client(ServedTest):
         return path
 
     def test_from_new_to_rm(self):
-        scene = self.new("--name", "walk", "--builtin", "creature", "--triangles", 3000)
+        scene = self.new("--name", "walk", "--builtin", "sphere", "--triangles", 500)
         self.assertIn("walk", self.pelage("list").stdout)
         self.assertIn("revision    0", self.pelage("info", scene).stdout)
 
         steps = self.file("groom.jsonl", "\n".join(json.dumps(c) for c in (
-            comb([0, 0.3, 0.4], [0, 0.3, -0.4], radius=0.3), {"op": "blow", "source": [0, 1, 1]},
-            {"op": "attract", "point": [0, 0.5, 0.5], "radius": 0.4})))
-        self.assertIn("revision 3", self.pelage("run", scene, steps).stdout)
+            THIN_COAT, comb([0, 0.3, 0.95], [0, 0.9, 0.4], radius=0.3), {"op": "blow", "source": [0, 1, 1]},
+            {"op": "attract", "point": [0, 0.7, 0.7], "radius": 0.4})))
+        self.assertIn("revision 4", self.pelage("run", scene, steps).stdout)
 
         picture = self.server.folder / "out.png"
         self.pelage("frame", "walk", "-o", picture, "--camera", "left", "--width", 96, "--height", 64, "--quality", "draft",
@@ -45,10 +48,10 @@ class Client(ServedTest):
 
         self.assertIn("position", self.pelage("pick", scene, 256, 256).stdout)
         self.assertIn("nothing there", self.pelage("pick", scene, 0, 0).stdout)
-        self.assertIn("revision 4", self.pelage("undo", scene, 2).stdout)
-        self.assertIn("revision 5", self.pelage("redo", scene).stdout)
-        self.assertIn("revision 6", self.pelage("revert", scene, 0).stdout)
-        self.assertEqual(len(self.pelage("log", scene).stdout.splitlines()), 6)
+        self.assertIn("revision 5", self.pelage("undo", scene, 2).stdout)
+        self.assertIn("revision 6", self.pelage("redo", scene).stdout)
+        self.assertIn("revision 7", self.pelage("revert", scene, 0).stdout)
+        self.assertEqual(len(self.pelage("log", scene).stdout.splitlines()), 7)
         self.assertEqual(self.pelage("log", scene, "--lines").stdout, "")
         self.pelage("rm", scene)
         self.assertIn("There is no scene", self.pelage("info", scene, code=3).stderr)
@@ -65,6 +68,7 @@ class Client(ServedTest):
 
     def test_places_and_steps_are_said_in_the_words_of_recipes(self):
         scene = self.new("--builtin", "sphere")
+        self.pelage("run", scene, "-", text=json.dumps(THIN_COAT))
         self.assertRegex(self.pelage("pick", scene, 256, 256, "--camera", "front").stdout, r'in a recipe \{"at": \[0\.5\d*, 0\.5\d*, 1\]')
         far = self.pelage("run", scene, "-", text=json.dumps(comb([9, 9, 9], [9, 9, 8], radius=0.1))).stdout
         self.assertIn("warning: it changed nothing", far)
@@ -73,9 +77,9 @@ class Client(ServedTest):
         self.assertRegex(self.pelage("log", scene).stdout, r"comb everywhere, \d+ vertices")
 
     def test_json_answers(self):
-        scene = json.loads(self.pelage("--json", "new", "--builtin", "torus").stdout)["id"]
+        scene = json.loads(self.pelage("--json", "new", "--builtin", "torus", "--triangles", 500).stdout)["id"]
         self.assertEqual(json.loads(self.pelage("info", scene, "--json").stdout)["revision"], 0)
-        run = self.pelage("run", scene, "-", "--json", text=json.dumps(flood([0, 1, 0], lean=0.9)))
+        run = self.pelage("run", scene, "-", "--json", text=json.dumps({"commands": [THIN_COAT, flood([0, 1, 0], lean=0.9)]}))
         self.assertEqual(json.loads(run.stdout)["revision"], 1)
         self.assertEqual(len(json.loads(self.pelage("log", scene, "--json").stdout)["entries"]), 1)
         self.assertIn("scenes", json.loads(self.pelage("list", "--json").stdout))
@@ -295,6 +299,7 @@ f 2 6 8 4
 
     def test_a_bald_view(self):
         scene = self.new("--builtin", "sphere", "--triangles", 500)
+        self.pelage("run", scene, "-", text=json.dumps(THIN_COAT))
         pictures = {}
         for overlay in ("none", "bald", "wire"):
             picture = self.server.folder / f"{overlay}.png"

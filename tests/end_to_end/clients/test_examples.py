@@ -20,7 +20,8 @@ EXAMPLES = REPOSITORY / "clients" / "python" / "examples"
 WEB_PACKAGES = REPOSITORY / "clients" / "web" / "node_modules"
 SMALL = ("--quality", "draft", "--size", "64")
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
-RECIPE = {"variables": {"fur": 0.02}, "steps": [{"op": "length", "flood": True, "value": "${fur}"}]}
+THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
+RECIPE = {"variables": {"fur": 0.02}, "steps": [THIN_COAT, {"op": "length", "flood": True, "value": "${fur}"}]}
 LONG = {"op": "length", "flood": True, "mode": "scale", "value": 2}
 
 
@@ -79,15 +80,17 @@ class Pictures(ExampleTest):
 
     def test_contact_sheet(self):
         for name in ("fox", "zebra"):
-            self.write(f"looks/{name}.json", (REPOSITORY / "clients" / "looks" / f"{name}.json").read_text())
-        self.example("contact_sheet.py", "--looks", "looks", "--triangles", 1000, "--output", "looks.png", *SMALL)
+            look = (REPOSITORY / "clients" / "looks" / f"{name}.json").read_text()
+            self.write(f"looks/{name}.json", re.sub('"count": [0-9]+', '"count": 500', look))
+        self.example("contact_sheet.py", "--looks", "looks", "--model", "sphere", "--triangles", 500, "--output", "looks.png", *SMALL)
         sheet = self.picture("looks.png")
         self.assertEqual(sheet.shape[1], 128)
         self.assertGreater(numpy.abs(sheet[:64, :64] - sheet[:64, 64:]).max(), 50)  # two looks
 
     def test_turntable(self):
         groom = self.write("fur.json", RECIPE)
-        self.example("turntable.py", "--frames", 3, "--groom", groom, "--triangles", 1000, "--output", "turn/fox", *SMALL)
+        self.example("turntable.py", "--frames", 3, "--groom", groom, "--model", "torus", "--triangles", 500,
+                     "--output", "turn/fox", *SMALL)
         self.assertEqual(sorted(p.name for p in (self.folder / "turn").iterdir()),
                          ["fox.0001.png", "fox.0002.png", "fox.0003.png", "fox.webp"])
         with Image.open(self.folder / "turn" / "fox.webp") as animation:
@@ -97,7 +100,8 @@ class Pictures(ExampleTest):
     def test_a_running_server_keeps_nothing(self):
         server = Server()
         self.addCleanup(server.close)
-        self.example("turntable.py", "--server", server.address, "--frames", 1, "--triangles", 500, "--output", "fox", *SMALL)
+        self.example("turntable.py", "--server", server.address, "--frames", 1, "--model", "plane", "--triangles", 2,
+                     "--output", "fox", *SMALL)
         self.assertEqual(server.get("/v1/scenes").json["scenes"], [])
 
     def test_no_server(self):
@@ -119,7 +123,7 @@ class Checks(ExampleTest):
         self.assertEqual(sorted(p.name for p in (self.folder / "stored").iterdir()), ["back.png", "front.png", "left.png", "right.png"])
 
     def test_match_direction(self):
-        printed = self.example("match_direction.py", "--size", 256, "--rounds", 3, "--triangles", 3000, "--output", "matched")
+        printed = self.example("match_direction.py", "--size", 256, "--rounds", 2, "--triangles", 1500, "--output", "matched")
         for what in ("pictures", "fields"):  # the picture's lines, and what the optimiser never sees
             before, after = map(float, re.search(rf"{what}: (\S+) degrees before, (\S+) after", printed).groups())
             self.assertLess(after, 0.6 * before, printed)

@@ -20,6 +20,7 @@ sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
 import pelage  # noqa: E402
 
 SIZE = {"width": 64, "height": 48}
+THIN_COAT = {"count": 500}  # it grows at once
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
 
 
@@ -196,10 +197,14 @@ class Grooming(PackageTest):
 
 
 class Pictures(PackageTest):
+    def setUp(self):
+        super().setUp()
+        self.scene.set_coat(coat=THIN_COAT)
+
     def test_a_frame(self):
         frame = self.scene.frame(camera="front", **SIZE)
         self.assertEqual(Image.open(io.BytesIO(frame.bytes)).size, (64, 48))
-        self.assertEqual((frame.format, frame.revision, frame.quality["method"]), ("png", 0, "raster"))
+        self.assertEqual((frame.format, frame.revision, frame.quality["method"]), ("png", 1, "raster"))
         self.assertGreaterEqual(frame.estimate["error_safety"], 1)
         self.assertIn("bytes", frame.counters)
         self.assertGreater(frame.timing["draw"], 0)
@@ -259,8 +264,8 @@ class Pictures(PackageTest):
         before = self.scene.frame(**SIZE)
         self.scene.length(flood=True, value=0.2)
         self.assertNotEqual(self.scene.frame(**SIZE).bytes, before.bytes)
-        earlier = self.scene.frame(revision=0, **SIZE)
-        self.assertEqual((earlier.revision, earlier.bytes), (0, before.bytes))
+        earlier = self.scene.frame(revision=1, **SIZE)
+        self.assertEqual((earlier.revision, earlier.bytes), (1, before.bytes))
 
     def lift(self):
         self.scene.lift(flood=True)
@@ -268,13 +273,13 @@ class Pictures(PackageTest):
 
     def test_live_frames_come_with_each_change(self):
         frames = self.scene.live_frames(view="me", quality="draft", **SIZE)
-        self.assertEqual(next(frames).revision, 0)
-        self.scene.length(flood=True, value=0.2)
         self.assertEqual(next(frames).revision, 1)
+        self.scene.length(flood=True, value=0.2)
+        self.assertEqual(next(frames).revision, 2)
         with unittest.mock.patch("pelage.pictures.WAIT", 0.01):
             timer = threading.Timer(0.3, self.lift)
             timer.start()
-            self.assertEqual(next(frames).revision, 2, "after some waits without news")
+            self.assertEqual(next(frames).revision, 3, "after some waits without news")
             timer.join()
         self.scene.remove()
         self.assertRaises(pelage.NotFound, next, frames)
@@ -296,6 +301,7 @@ class Pictures(PackageTest):
 
     def test_pick(self):
         ball = self.client.create("ball", model={"builtin": "sphere", "triangles": 300})
+        ball.set_coat(coat=THIN_COAT)
         hit = ball.pick(32.5, 32.5, camera="front", width=64, height=64)
         self.assertTrue(hit["hit"])
         self.assertGreater(hit["position"][2], 0.9)

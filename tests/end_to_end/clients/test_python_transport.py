@@ -326,7 +326,7 @@ class Local(unittest.TestCase):
             self.assertTrue(server.is_ready())
             self.assertIn(server.address, server.log())
             folder = server.folder
-            self.assertEqual(server.create().name, "scene")
+            self.assertEqual(server.create(model={"builtin": "plane", "triangles": 2}).name, "scene")
         self.assertFalse(server.is_alive() or folder.exists())
 
     def test_it_stops_when_nobody_holds_it(self):

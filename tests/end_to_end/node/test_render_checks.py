@@ -163,9 +163,9 @@ class RenderLimitTest(JobTest):
         self.assertEqual(*prints)
 
     def test_the_limit_is_of_time_that_passed_and_not_of_an_estimate(self):
-        """A server refuses such a frame at once. The largest frame of the thickest coat takes long on any machine."""
+        """A server refuses such a frame at once. The largest frame of a thick coat takes long on any machine."""
         frame = {"width": 8192, "height": 8192, "quality": {"raster": {"strands": 1000, "light_of": 1}}, "max_seconds": 1}
-        thick = {"op": "set_coat", "coat": {"count": 100000}}
+        thick = {"op": "set_coat", "coat": {"count": 20000}}
         run = self.render(self.job(frames="1", frame=frame, commands=[thick]), code=5)
         self.assertNotIn("expected", run.stderr)
 

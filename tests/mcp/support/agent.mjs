@@ -6,6 +6,8 @@ import {Ajv, Client, StdioClientTransport, decode} from "./packages.mjs";
 
 export const program = process.env.PELAGE_MCP ?? new URL("../../../build/release/clients/mcp/dist/pelage-mcp.js", import.meta.url).pathname;
 
+const ajv = new Ajv({strict: false});  // one for all: each new one takes longer to start than to check
+
 export class Agent {
   static async start(...words) {
     const agent = new Agent();
@@ -19,7 +21,6 @@ export class Agent {
 
   /** A call whose input its schema allows, as careful clients check before they send. */
   async call(name, input = {}) {
-    const ajv = new Ajv({strict: false});
     assert.ok(ajv.validate(this.tools.get(name).inputSchema, input), `${name}: ${ajv.errorsText()}`);
     const answer = await this.send(name, input);
     assert.ok(!answer.isError, `${name}: ${answer.text}`);
@@ -48,14 +49,20 @@ export const pixelsOf = ({mimeType, data}) => {
 export let server, agent;
 
 /** Called once, at the top of a test file: a server and an agent of its own. `prepare` runs when both are there. */
-export function start(prepare = async () => {}) {
+export function start(prepare = async () => {}, words = ["--toolsets", "all"]) {
   before(async () => {
     server = await Server.start(["--gl", "none"]);
-    agent = await Agent.start("--server", server.address, "--toolsets", "all");
+    agent = await Agent.start("--server", server.address, ...words);
     await prepare();
   });
   after(async () => {
     await agent?.stop();
     await server?.stop();
   });
+}
+
+/** Makes a scene of a small model. Its one step is a coat of so few strands that pictures of it take no time. */
+export async function thinScene(name, builtin, triangles) {
+  await agent.call("create_scene", {name, model: {builtin, triangles}});
+  await agent.call("run_commands", {scene: name, commands: [{op: "set_coat", coat: {count: 500}}]});
 }

@@ -21,7 +21,8 @@ export const whiskers = {op: "set_curves", groups: [{curves: [[[-0.06, 0.8, 0.62
   [[0.06, 0.8, 0.62], [0.28, 0.8, 0.62]]]}]};
 export const nose = {op: "set_skin", regions: [{centre: [0, 0.79, 0.63], radii: [0.04, 0.03, 0.04], colour: "#302020"}]};
 export const bare = {op: "paint", flood: true, field: "density", value: 0, brush: {strength: 1}};
-const few = {op: "set_coat", coat: {count: 100, length_spread: 0.3}};  // gives some thousand strands
+export const coat = {count: 100, length_spread: 0.3};  // gives some thousand strands
+const few = {op: "set_coat", coat};
 
 /** Makes a scene of a built-in model with few strands. Returns the answer to GET. */
 export async function scene_of(builtin, triangles, ...commands) {
