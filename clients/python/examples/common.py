@@ -29,6 +29,7 @@ BUILTIN = ("torus", "knot", "sphere", "plane", "cloth", "creature")
 MODELS = (".obj", ".ply", ".stl", ".off", ".gltf", ".glb", ".3ds", ".zip")
 BACKGROUND = (197, 200, 206)  # same as a frame's background, so that a sheet looks like one picture
 TEXT = (40, 42, 46)
+UNTIL_LOADED: BuiltinModel = {"builtin": "plane", "triangles": 2}  # the model of a scene into which a file is loaded; the default takes seconds
 LABEL = 22  # pixels below each picture of a sheet
 
 
@@ -58,7 +59,7 @@ def server(args: argparse.Namespace) -> Iterator[pelage.Server]:
 
 
 @contextlib.contextmanager
-def empty_scene(running: pelage.Server, name: str, model: Optional[BuiltinModel] = None) -> Iterator[pelage.Scene]:
+def empty_scene(running: pelage.Server, name: str, model: BuiltinModel = UNTIL_LOADED) -> Iterator[pelage.Scene]:
     """Creates a scene and removes it at the end of the block, so that nothing is left on a shared server."""
     scene = running.create(name, model=model)
     try:
@@ -70,9 +71,10 @@ def empty_scene(running: pelage.Server, name: str, model: Optional[BuiltinModel]
 @contextlib.contextmanager
 def new_scene(running: pelage.Server, args: argparse.Namespace) -> Iterator[pelage.Scene]:
     """Creates a scene with the model and the groom of the options; removes it at the end of the block."""
-    model = {"builtin": args.model, "triangles": args.triangles} if args.model in BUILTIN else None
-    with empty_scene(running, pathlib.Path(args.model).stem, cast(Optional[BuiltinModel], model)) as scene:
-        if model is None:
+    is_builtin = args.model in BUILTIN
+    model = cast(BuiltinModel, {"builtin": args.model, "triangles": args.triangles}) if is_builtin else UNTIL_LOADED
+    with empty_scene(running, pathlib.Path(args.model).stem, model) as scene:
+        if not is_builtin:
             scene.load(args.model, front=args.front, progress=pelage.print_progress)
         if args.groom:
             run_groom(running, scene, args.groom)
