@@ -7,7 +7,7 @@ let studio, page, id;
 start();
 
 async function open(name, panel) {
-  id = (await server.creature(name, 2000)).id;
+  id = (await server.creature(name)).id;
   studio = await openStudio({scene: id, kept: {panel}});
   page = studio.page;
   await studio.ready();

@@ -14,7 +14,7 @@ let studio, folder;
 
 async function prepare() {
   folder = mkdtempSync(join(tmpdir(), "pelage-files-"));
-  const {id} = await server.creature("start", 2000);
+  const {id} = await server.creature("start");
   studio = await openStudio({scene: id, alone: true});
   studio.expected.push(/Failed to load resource/);  // what the server refuses is part of the tests
   await studio.ready();
@@ -191,18 +191,24 @@ test("a sample's recipe gives the very steps that the command line gives", async
 });
 
 test("the groom goes out as a recipe and comes in again", async () => {
-  const id = await openId();
+  const {id} = await server.creature("groomed");
+  await server.post(`/v1/scenes/${id}/commands`, {op: "length", flood: true, value: 0.08, brush: {strength: 1}});
+  await server.post(`/v1/scenes/${id}/commands`, {op: "comb", brush: {radius: 0.2}, stroke: {samples: [{position: [0.2, 0.6, -0.2]}, {position: [0.2, 0.62, 0]}]}});
+  await server.post(`/v1/scenes/${id}/commands`, {op: "set_coat", coat: {wetness: 0.7}});
+  await studio.page.goto(`${server.address}/?scene=${id}`);
+  await studio.ready();
+  await studio.panel("Files");
   const waiting = studio.page.waitForEvent("download");
   await press("Recipe");
   const path = join(folder, "groom.recipe.json");
   await (await waiting).saveAs(path);
   const lines = (await linesOf(id)).split("\n");
   assert.deepEqual(JSON.parse(readFileSync(path, "utf8")).steps, lines.map((line) => JSON.parse(line)));
-  const bare = await server.post("/v1/scenes", {name: "bare", model: {builtin: "creature", triangles: 20000}, fur: {form: "animal", length: 0.03}});
+  const bare = await server.creature("bare");
   await studio.page.goto(`${server.address}/?scene=${bare.id}`);
   await studio.ready();
   await drop(path);
-  await studio.page.getByText(`${lines.length} steps are done.`).waitFor({timeout: 240000});
+  await studio.page.getByText(`${lines.length} steps are done.`).waitFor();
   assert.equal((await server.get(`/v1/scenes/${bare.id}`)).fields_hash, (await server.get(`/v1/scenes/${id}`)).fields_hash);
 });
 
@@ -222,6 +228,7 @@ test("a recipe with a pick and a loop runs up to the step that breaks its assert
 
 test("pictures have the size that was asked for; maps and the log come too", async () => {
   const {id} = await server.post("/v1/scenes", {name: "torus", model: {builtin: "torus", triangles: 2000}});
+  await studio.page.setViewportSize({width: 1024, height: 400});  // fewer pixels to draw
   await studio.page.goto(`${server.address}/?scene=${id}`);
   await studio.ready();
   await studio.panel("Files");
@@ -261,7 +268,7 @@ test("scenes are branched and removed, with a question", async () => {
 });
 
 test("a model that lies on its side is turned with its fur", async () => {
-  const {id} = await server.creature("lying", 1000);
+  const {id} = await server.creature("lying");
   const studio = await openStudio({scene: id});
   await studio.ready();
   const height = async () => { const {min, max} = (await server.get(`/v1/scenes/${id}`)).bounds; return max[1] - min[1]; };

@@ -2,16 +2,12 @@
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {violations} from "./support/axe.mjs";
-import {chrome, server, serverWith, start} from "./support/own.mjs";
+import {chrome, openStudio, server, serverWith, start} from "./support/own.mjs";
 import {Studio} from "./support/studio.mjs";
 
 start();
 
-async function accessible(page, colorScheme) {
-  await page.emulateMedia({colorScheme});
-  assert.deepEqual(await violations(page), []);
-}
-const bothColours = async (page) => { for (const colours of ["dark", "light"]) await accessible(page, colours); };
+const accessible = async (page) => assert.deepEqual(await violations(page), []);
 
 test("a first visit finds a fox and three hints, which go for good", async () => {
   const server = await serverWith();
@@ -26,7 +22,7 @@ test("a first visit finds a fox and three hints, which go for good", async () =>
   const page = await second.newPage();
   await page.goto(server.address);
   await page.getByRole("region", {name: "First steps"}).waitFor();
-  await bothColours(page);
+  await accessible(page);
   await page.getByRole("button", {name: "Begin"}).click();
   await page.reload();
   await page.locator(".badge .dot").waitFor();
@@ -37,12 +33,13 @@ test("a first visit finds a fox and three hints, which go for good", async () =>
 
 test("a server with a token is asked again once the token is given", async () => {
   const server = await serverWith("--token", "secret");
-  const studio = await Studio.open(chrome, server.address);
+  const {id} = await server.post("/v1/scenes", {name: "sphere", model: {builtin: "sphere", triangles: 2000}}, {Authorization: "Bearer secret"});
+  const studio = await Studio.open(chrome, server.address, {scene: id});
   studio.expected.push(/401/);
   const {page} = studio;
   const box = page.getByRole("dialog", {name: "The server's token"});
   await box.waitFor();
-  await bothColours(page);
+  await accessible(page);
   await box.getByLabel("Token").fill("wrong");
   await page.keyboard.press("Enter");
   await box.getByText("does not take this token").waitFor();
@@ -57,15 +54,14 @@ test("a server with a token is asked again once the token is given", async () =>
 });
 
 test("a lost connection is said with what is kept, until it is mended", async () => {
-  const server = await serverWith();
   const {id} = await server.creature("lost");
-  const studio = await Studio.open(chrome, server.address, {scene: id});
+  const studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/, /ERR_/);
   await studio.ready();
   await server.kill();
   await studio.drag([[0.45, 0.5], [0.6, 0.45]]);
   await studio.page.locator(".offline", {hasText: "kept in this browser"}).waitFor();
-  await bothColours(studio.page);
+  await accessible(studio.page);
   await server.run();
   await studio.settled(server, id, 1);
   await studio.page.locator(".offline").waitFor({state: "detached", timeout: 30000});
@@ -73,10 +69,10 @@ test("a lost connection is said with what is kept, until it is mended", async ()
 });
 
 test("the dial is chosen by keys, says what its stops take, and compares with the reference", async () => {
-  const server = await serverWith();
   const {id} = await server.creature("dial");
-  const studio = await Studio.open(chrome, server.address, {scene: id, kept: {dial: {kind: "tier", tier: "interactive"}}});
+  const studio = await openStudio({scene: id, kept: {dial: {kind: "tier", tier: "interactive"}}});
   const {page} = studio;
+  await page.setViewportSize({width: 1024, height: 480});  // fewer pixels to trace
   await studio.seen("rest");
   await page.getByRole("button", {name: /^Quality/}).focus();
   await page.keyboard.press("Enter");
@@ -85,7 +81,7 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
   for (const name of ["Sketch", "Groom", "Beauty", "Final"]) await stop(name).locator("img").waitFor({timeout: 120000});
   await page.getByText("By numbers").click();
   await page.locator(".dial-errors div", {hasText: "Groom"}).getByText(/error \.?\d/).waitFor();
-  await bothColours(page);
+  await accessible(page);
   await page.getByRole("radio", {name: /Groom/}).focus();
   await page.keyboard.press("ArrowUp");
   assert.ok(await page.getByRole("radio", {name: /Sketch/}).isChecked());
@@ -104,7 +100,7 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
   assert.ok(mean > 0.001 && mean < 0.5, String(mean));
   for (const mode of ["Wipe", "Side by side", "Difference"]) {
     await page.getByRole("button", {name: mode}).click();
-    await bothColours(page);
+    await accessible(page);
   }
   await page.keyboard.press("Escape");
   assert.equal(await page.getByRole("dialog").count(), 0);
@@ -112,30 +108,29 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
 });
 
 test("the panel of files has no violation", async () => {
-  const server = await serverWith();
   const {id} = await server.creature("axe");
-  const studio = await Studio.open(chrome, server.address, {scene: id});
+  const studio = await openStudio({scene: id});
   await studio.seen();
   await studio.panel("Files");
   for (const group of ["New scene from a built-in model", "Maps of the groom"]) await studio.page.getByText(group).click();
-  await bothColours(studio.page);
+  await accessible(studio.page);
   await studio.page.getByRole("button", {name: "Remove axe", exact: true}).click();
-  await bothColours(studio.page);
+  await accessible(studio.page);
   await studio.finish();
 });
 
 test("a browser that keeps nothing gets the studio all the same", async () => {
   const blocked = () => Object.defineProperty(window, "localStorage", {get() { throw new DOMException("denied", "SecurityError"); }});
-  const {id} = await server.creature("blocked", 2000);
-  const studio = await Studio.open(chrome, server.address, {scene: id, before: blocked});
+  const {id} = await server.creature("blocked");
+  const studio = await openStudio({scene: id, before: blocked});
   await studio.seen();
   assert.equal(await studio.page.locator(".message-error").count(), 0);
   await studio.finish();
 });
 
 test("an answer that is no problem document is said with its status and reason", async () => {
-  const {id} = await server.creature("proxied", 2000);
-  const studio = await Studio.open(chrome, server.address, {scene: id});
+  const {id} = await server.creature("proxied");
+  const studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/);
   await studio.seen();
   await studio.page.route("**/commands", (route) => route.fulfill({status: 403, contentType: "text/html", body: "<html>Forbidden</html>"}));

@@ -59,7 +59,7 @@ test("a mohawk is combed by its tips, where no skin is under the pointer", async
   await studio.page.keyboard.press("2");
   await studio.seen("rest");
   await studio.tool("comb");
-  for (let pass = 0; pass < 3; ++pass) await studio.drag([[0.7, 0.3], [0.74, 0.12], [0.56, 0.13]], {steps: 24});
+  for (let pass = 0; pass < 3; ++pass) await studio.drag([[0.7, 0.3], [0.74, 0.12], [0.56, 0.13]], {steps: 12});
   const combs = async () => (await steps()).map((entry) => commandsOf(entry)[0]).filter(({op}) => op === "comb");
   const ended = async () => (await combs()).filter(({stroke}) => stroke.last).length;
   for (let tries = 0; tries < 600 && await ended() < 3; ++tries) await studio.page.waitForTimeout(50);

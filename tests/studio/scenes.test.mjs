@@ -91,7 +91,7 @@ const differentCells = (image, [columns, rows]) => {
 };
 
 test("the list shows scenes by their pictures, and sheets are made at one press", async () => {
-  const shown = (await server.creature("sheet", 1000)).id, other = (await server.creature("besides", 1000)).id;
+  const shown = (await server.creature("sheet")).id, other = (await server.creature("besides")).id;
   const studio = await openStudio({scene: shown});
   const {page} = studio;
   await studio.ready();
@@ -115,7 +115,7 @@ test("the list shows scenes by their pictures, and sheets are made at one press"
 });
 
 test("a picture stands there at once when the studio is opened again", async () => {
-  const {id} = await server.creature("again", 1000);
+  const {id} = await server.creature("again");
   const studio = await openStudio({scene: id});
   const {page} = studio;
   await studio.ready();

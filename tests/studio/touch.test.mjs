@@ -4,7 +4,7 @@ import {test} from "node:test";
 import {openStudio, server, start} from "./support/own.mjs";
 
 let id;
-start({prepare: async () => { id = (await server.creature("touch", 5000)).id; }});
+start({prepare: async () => { id = (await server.creature("touch")).id; }});
 
 /** The camera of the newest picture that was asked for, as a view for picks. */
 async function viewOf(studio) {
@@ -96,7 +96,7 @@ test("the hand learns of fur that grew", async () => {
 });
 
 test("of two scenes opened one after the other only the last is seen", async () => {
-  const other = (await server.creature("other", 1000)).id, third = (await server.creature("third", 1000)).id;
+  const other = (await server.creature("other")).id, third = (await server.creature("third")).id;
   const studio = await open();
   const {page} = studio;
   await page.evaluate((slow) => { window.held[slow] = 1200; }, other);
@@ -115,7 +115,7 @@ test("of two scenes opened one after the other only the last is seen", async () 
 });
 
 test("a setting that is tried in one scene is not seen in the next", async () => {
-  const next = (await server.creature("next", 1000)).id;
+  const next = (await server.creature("next")).id;
   const studio = await open();
   const {page} = studio;
   await studio.panel("Coat");
@@ -148,7 +148,7 @@ test("cube and ring move with the picture, and not before it", async () => {
 });
 
 test("a better picture fades in over the one before", async () => {
-  const studio = await openStudio({scene: id, before: () => {
+  const studio = await openStudio({scene: id, context: {reducedMotion: "no-preference"}, before: () => {
     window.fades = 0;
     const animate = Element.prototype.animate;
     Element.prototype.animate = function (...how) { if (this.className === "picture") ++window.fades; return animate.apply(this, how); };

@@ -4,10 +4,11 @@ import {test} from "node:test";
 import {openStudio, server, start} from "./support/own.mjs";
 
 let id;
-start({prepare: async () => { id = (await server.creature("view", 2000)).id; }});
+start({prepare: async () => { id = (await server.creature("view")).id; }});
 
 test("draft, then the dial's picture, then strands that get better", async () => {
   const studio = await openStudio({scene: id, kept: {"trace-at-rest": true}});
+  await studio.page.setViewportSize({width: 1024, height: 400});  // fewer pixels to trace
   await studio.ready();
   await studio.seen("rest");
   await studio.seen("traced");
@@ -62,8 +63,8 @@ test("drafts are smaller while the server is slow, and as large as the canvas wh
   const reaches = async (milliseconds, share) => {
     await studio.page.evaluate((said) => { window.said = said; }, milliseconds);
     let off = 0;
-    for (let stroke = 0; stroke < 8; ++stroke) {
-      await studio.drag([[0.45, 0.5], [0.55, 0.5], [0.45, 0.55]], {steps: 40});
+    for (let stroke = 0; stroke < 20; ++stroke) {
+      await studio.drag([[0.45, 0.5], [0.55, 0.5], [0.45, 0.55]], {steps: 15});
       off = await studio.page.evaluate((share) => window.widths.at(-1) - share * document.querySelector("canvas.picture[data-front]").getBoundingClientRect().width, share);
       if (Math.abs(off) <= 1) return;
     }
@@ -88,8 +89,8 @@ test("never more than two frames are in flight", async () => {
     };
   }});
   await studio.ready();
-  await studio.drag([[0.05, 0.9], [0.2, 0.85], [0.05, 0.8]], {steps: 40});
-  await studio.drag([[0.45, 0.5], [0.55, 0.5]], {steps: 40});
+  await studio.drag([[0.05, 0.9], [0.2, 0.85], [0.05, 0.8]], {steps: 20});
+  await studio.drag([[0.45, 0.5], [0.55, 0.5]], {steps: 20});
   await studio.seen("rest");
   const most = await studio.page.evaluate(() => window.most);
   assert.ok(most >= 1 && most <= 2, `${most} at once`);
@@ -97,7 +98,7 @@ test("never more than two frames are in flight", async () => {
 });
 
 test("the mirrored ring is seen, but not through the body", async () => {
-  const studio = await openStudio({scene: id});
+  const studio = await openStudio({scene: id, context: {reducedMotion: "no-preference"}});  // so that the view glides
   studio.expected.push(/willReadFrequently/);  // the test reads what the page only draws
   await studio.ready();
   const drawn = () => studio.page.evaluate(async () => {

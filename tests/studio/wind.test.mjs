@@ -8,7 +8,7 @@ start();
 const timeOf = (request) => JSON.parse(request.postData() ?? "{}").time;
 
 test("a breeze is started, played, paused and kept", async () => {
-  const id = (await server.creature("wind", 2000)).id;
+  const id = (await server.creature("wind")).id;
   const studio = await openStudio({scene: id, kept: {panel: "wind"}}), {page} = studio;
   await studio.ready();
   const scene = () => server.get(`/v1/scenes/${id}`), settings = () => server.get(`/v1/scenes/${id}/settings`);
@@ -38,7 +38,7 @@ test("a breeze is started, played, paused and kept", async () => {
 });
 
 test("the wind turns about the animal, and keeps how far it blows up", async () => {
-  const {id} = await server.creature("heading", 1000);
+  const {id} = await server.creature("heading");
   await server.post(`/v1/scenes/${id}/commands`, {op: "set_wind", wind: {speed: 0.5, direction: [1, 0.5, 0]}});
   const studio = await openStudio({scene: id});
   await studio.ready();

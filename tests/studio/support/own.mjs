@@ -44,7 +44,7 @@ const idle = [];  // windows on the own server; a new one takes two seconds of C
 
 /** A window on the own server, used before by another test; a new one if the test is `alone` or asks for another context. */
 export async function openStudio({alone = false, ...options} = {}) {
-  if (alone || options.before || Object.keys(options.context ?? {}).length) return Studio.open(chrome, server.address, options);
+  if (alone || Object.keys(options.context ?? {}).length) return Studio.open(chrome, server.address, options);
   const studio = idle.pop();
   if (studio) await studio.show(options);
   const shared = studio ?? await Studio.open(chrome, server.address, options);

@@ -34,21 +34,28 @@ function store(values) {
 /** One window on a scene. Everything that the console says is recorded, and is to be nothing at the end. */
 export class Studio {
   /** Opens a new window. */
-  static async open(chrome, address, {context = {}, before = () => {}, ...shown} = {}) {
+  static async open(chrome, address, {context = {}, ...shown} = {}) {
     const studio = new Studio();
     studio.address = address;
-    studio.context = await chrome.newContext({viewport, acceptDownloads: true, ...context});
-    await studio.context.route(`**${blank}`, (route) => route.fulfill({contentType: "text/html", body: '<link rel="icon" href="data:,">'}));
+    studio.context = await chrome.newContext({viewport, acceptDownloads: true, reducedMotion: "reduce", ...context});
     await studio.context.addInitScript(collectEvents);
-    await studio.context.addInitScript(before);
     studio.page = await studio.context.newPage();
+    await studio.goBlank();
     await studio.show(shown);
     return studio;
   }
 
-  /** Shows a scene in this window, with the default settings and those of `kept`. */
-  async show({scene = "", kept = {}} = {}) {
-    await this.page.goto(`${this.address}${blank}`);
+  /** Goes to the blank page. No route stays after it: with one the browser caches nothing. */
+  async goBlank() {
+    await this.page.route(`**${blank}`, (route) => route.fulfill({contentType: "text/html", body: '<link rel="icon" href="data:,">'}));
+    await this.page.goto(this.address + blank);
+    await this.page.unrouteAll({behavior: "ignoreErrors"});
+  }
+
+  /** Shows a scene in this window, where the blank page is, with the default settings and those of `kept`.
+   * `before` runs in the page before the studio does. */
+  async show({scene = "", kept = {}, before = () => {}} = {}) {
+    this.before = await this.page.addInitScript(before);
     await this.page.evaluate(store, {...settings, ...kept});
     this.said = [];
     this.expected = [];
@@ -60,10 +67,11 @@ export class Studio {
   /** Leaves the studio's page, so that another test can use the window. */
   async leave() {
     this.page.removeAllListeners();
-    await this.page.unrouteAll({behavior: "ignoreErrors"});
+    await this.before.dispose();
     await this.page.setViewportSize(viewport);
+    await this.page.emulateMedia({colorScheme: null});
     await this.page.mouse.move(0, 0);
-    await this.page.goto(`${this.address}${blank}`);
+    await this.goBlank();
   }
 
   /** Waits until a picture of the stage is seen ("draft" counts as any). */
