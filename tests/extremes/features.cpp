@@ -8,7 +8,9 @@ std::string one(const std::string& op, const std::string& members) {
   return R"({"op": ")" + op + "\", " + members + "}";
 }
 
-std::string coat_with(const std::string& members) { return one("set_coat", R"("coat": {)" + members + "}"); }
+std::string coat_with(const std::string& members) {
+  return one("set_coat", R"("coat": {)" + few_strands + ", " + members + "}");
+}
 
 std::string shells(const std::string& members) {
   return R"("quality": {"method": "shells", "shells": {)" + members + "}}";

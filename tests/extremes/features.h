@@ -13,6 +13,9 @@ struct Feature {
   std::string rest_commands, rest_frame = "";  // name the feature but leave it unused
 };
 
+/// What each coat of these has: a tile of more strands only takes longer to bake.
+inline const std::string few_strands = R"("count": 500)";
+
 std::vector<Feature> features();
 
 }  // namespace pelage::testing

@@ -30,9 +30,8 @@ class Needs : public WithRenderer {
     WithRenderer::SetUp();
     if (!renderer) return;
     scene_ = scene_of({.area = "needs", .value = "plain"}, *store_).value();
-    const Status plain =
-        carry_out(R"({"op": "set_look", "look": {"shading": "kajiya"}})", *scene_, *store_);  // needs no table
-    EXPECT_TRUE(plain.ok()) << plain.message;
+    execute(R"({"op": "set_look", "look": {"shading": "kajiya"}})");  // needs no table
+    execute(R"({"op": "set_coat", "coat": {)" + few_strands + "}}");
   }
 
   static FrameRequest request(const std::string& members) {

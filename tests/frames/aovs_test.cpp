@@ -28,7 +28,7 @@ glm::vec3 pixel(const FloatImage& image, std::size_t i) {
 }
 
 TEST_F(Layers, DepthIsWhereOpacityCrossesHalf) {
-  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
+  const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3}));
   FrameRequest request = small_frame(AutoView::front, 192);
   for (const double strands : {0.4, 1.5, 1000.0}) {
     request.knobs.raster.strands = strands;
@@ -50,7 +50,7 @@ TEST_F(Layers, DepthIsWhereOpacityCrossesHalf) {
 
 // Between a lit knot and a shadowed one, light may change by more or less than half floats can hold.
 TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3}));
   for (const double intensity : {1e-8, 1.0, 1e8}) {
     for (Light& light : model.settings.lights) light.intensity = intensity;
     const auto images = aovs_of(model, small_frame(), {Aov::beauty, Aov::direct, Aov::shadow});
@@ -60,7 +60,7 @@ TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
 }
 
 TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
-  FurredModel model = furred({Builtin::sphere, 4000}, {.length = 0.004, .inclination = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 4000}, {.length = 0.004, .inclination = 0}));
   model.settings.coats[0].coat.bend = 0;
   const FrameRequest request = small_frame();
   const FurFrame frame = make_frame(model.view(), request);
@@ -84,7 +84,7 @@ TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
 }
 
 TEST_F(Layers, WithoutAmbientAllLightIsDirect) {
-  FurredModel model = furred({Builtin::torus, 1000});
+  FurredModel model = coarse(furred({Builtin::torus, 1000}));
   FrameRequest request = small_frame();
   for (const ShadingModel shading : {ShadingModel::kajiya, ShadingModel::lengyel, ShadingModel::marschner}) {
     model.settings.look.shading = shading;
@@ -103,7 +103,7 @@ TEST_F(Layers, WithoutAmbientAllLightIsDirect) {
 }
 
 TEST_F(Layers, ShadowIsTheShareOfLightThatIsLeft) {
-  const FurredModel model = furred({Builtin::torus, 1000});
+  const FurredModel model = coarse(furred({Builtin::torus, 1000}));
   const auto images = aovs_of(model, small_frame(), {Aov::direct, Aov::shadow});
   double shares = 0, count = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
@@ -119,7 +119,7 @@ TEST_F(Layers, ShadowIsTheShareOfLightThatIsLeft) {
 
 TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
   const float length = 0.06f;
-  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = length, .inclination = 0.4});
+  const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = length, .inclination = 0.4}));
   FrameRequest request = small_frame();
   request.knobs.raster.strands = 4;
   const auto images = aovs_of(model, request, {Aov::strand, Aov::root, Aov::position, Aov::alpha});
@@ -145,7 +145,7 @@ TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
 }
 
 TEST_F(Layers, StrandsAreNamedAlikeInAllFramesOfACoat) {
-  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
+  const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4}));
   const auto roots_of = [&](AutoView view) {
     const auto images = aovs_of(model, small_frame(view), {Aov::strand, Aov::root});
     std::map<float, glm::vec3> roots;
@@ -165,7 +165,7 @@ TEST_F(Layers, StrandsAreNamedAlikeInAllFramesOfACoat) {
 }
 
 TEST_F(Layers, BareSkinNamesNoStrand) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0}));
   const auto images = aovs_of(model, small_frame(), {Aov::strand});
   for (std::size_t i = 0; i < images[0].rgba.size(); i += 4) ASSERT_EQ(images[0].rgba[i], 0);
 }
@@ -186,7 +186,7 @@ TEST_F(Layers, CountTheSegments) {
 }
 
 TEST_F(Layers, BeautyIsTheSameWithAndWithoutOthers) {
-  const FurredModel model = furred({Builtin::creature, 2000});
+  const FurredModel model = coarse(furred({Builtin::creature, 2000}));
   FrameRequest request = small_frame();
   request.knobs.scale = 0.6;
   const auto alone = aovs_of(model, request, {Aov::beauty});
@@ -200,7 +200,7 @@ TEST_F(Layers, BeautyIsTheSameWithAndWithoutOthers) {
 }
 
 TEST_F(Layers, SixteenBitsAreTheSamePictureWithMoreSteps) {
-  const FurredModel model = furred({Builtin::creature, 2000});
+  const FurredModel model = coarse(furred({Builtin::creature, 2000}));
   const FrameRequest request = small_frame();
   const Image image = draw(*renderer, model, request);
   const Result<Image16> deep = renderer->draw_deep(make_frame(model.view(), request));
@@ -211,7 +211,7 @@ TEST_F(Layers, SixteenBitsAreTheSamePictureWithMoreSteps) {
 }
 
 TEST_F(Layers, TheStudioIsDarkerInTheCornersAndHasNoBands) {
-  const FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.02});
+  const FurredModel model = coarse(furred({Builtin::sphere, 500}, {.length = 0.02}));
   FrameRequest request = small_frame(AutoView::front, 256);
   request.background = Background::studio;
   const Image image = draw(*renderer, model, request);
@@ -230,7 +230,7 @@ TEST_F(Layers, TheStudioIsDarkerInTheCornersAndHasNoBands) {
 }
 
 TEST_F(Layers, OverlaysShowOnTheFurAlone) {
-  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.04, .inclination = 0.8});
+  const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.04, .inclination = 0.8}));
   FrameRequest request = small_frame();
   const Image plain = draw(*renderer, model, request);
   std::set<std::vector<std::uint8_t>> pictures{plain.rgba};
@@ -247,7 +247,7 @@ TEST_F(Layers, OverlaysShowOnTheFurAlone) {
 
 /// The albedo is what fur of one colour reflects under any light, multiplied by alpha like the beauty.
 TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05, .inclination = 0.4});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.05, .inclination = 0.4}));
   const glm::vec3 colour(0.6f, 0.3f, 0.12f);
   model.settings.coats[0].coat.ramp = {{0, colour}};
   model.settings.coats[0].coat.colour_spread = 0;
@@ -261,7 +261,7 @@ TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
 
 /// On the screen, hues go counter-clockwise: red to the right, then yellow, green, blue and violet.
 TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
-  FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0});
+  FurredModel model = coarse(furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0}));
   model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.2f)}};
   FrameRequest request = small_frame(AutoView::top);
   request.overlay = Overlay::direction;
@@ -288,7 +288,7 @@ TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
 
 /// Strokes run along the fur, so the picture changes less along them than across.
 TEST_F(Layers, StrokesRunAlongTheFur) {
-  const FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 1});
+  const FurredModel model = coarse(furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 1}));
   FrameRequest request = small_frame(AutoView::top, 192);
   request.background = Background::colour;
   const Image plain = draw(*renderer, model, request);
@@ -313,8 +313,8 @@ TEST_F(Layers, StrokesRunAlongTheFur) {
 }
 
 TEST_F(Layers, HueFollowsTheDirection) {
-  const FurredModel lying = furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 1});
-  const FurredModel standing = furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 0});
+  const FurredModel lying = coarse(furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 1}));
+  const FurredModel standing = coarse(furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 0}));
   FrameRequest request = small_frame(AutoView::top);
   request.overlay = Overlay::direction;
   request.background = Background::colour;
@@ -326,7 +326,7 @@ TEST_F(Layers, HueFollowsTheDirection) {
 
 /// A bare sphere of radius .289 with an eye in front of its middle.
 FurredModel with_eye() {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0}));
   model.settings.eyes = {{.position = model.model.surface.mesh().to_model({0, 0, 0.25}), .radius = 0.1}};
   return model;
 }
@@ -367,7 +367,7 @@ TEST_F(Layers, WithoutAmbientAnEyesLightIsDirect) {
 }
 
 TEST_F(Layers, HoldCurves) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.02});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.02}));
   const Mesh& mesh = model.model.surface.mesh();
   CurveGroup group;
   group.curves = {{mesh.to_model({-0.1, 0, 0.4}), mesh.to_model({0.1, 0, 0.4})}};

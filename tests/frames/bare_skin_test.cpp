@@ -15,7 +15,9 @@ class BareSkinFrames : public WithRenderer {
   Image drawn(const FurredModel& model) { return draw(*renderer, model, small_frame()); }
 };
 
-FurredModel ball(double fur = 0.08) { return furred({Builtin::sphere, 2000}, {.length = fur, .inclination = 0}); }
+FurredModel ball(double fur = 0.08) {
+  return coarse(furred({Builtin::sphere, 2000}, {.length = fur, .inclination = 0}));
+}
 
 /// A skin region that covers the whole model, evenly blue and matt.
 SkinRegion everywhere(const FurredModel& model) {
@@ -104,7 +106,7 @@ TEST_F(BareSkinFrames, FacesADirection) {
 
 TEST_F(BareSkinFrames, HasTheSameShapeInShadersAndOnVertices) {
   // Upright fur around a cap of blue skin: seen from the front, the pixels without red are the cap.
-  FurredModel model = furred({Builtin::sphere, 20000}, {.length = 0.004, .inclination = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 20000}, {.length = 0.004, .inclination = 0}));
   const Mesh& mesh = model.model.surface.mesh();
   const double ball_radius = 0.5 / std::sqrt(3.0), cap = 0.12;
   SkinRegion region = everywhere(model);
@@ -137,7 +139,7 @@ glm::ivec2 extent_of_blue(const Image& image) {
 }
 
 TEST_F(BareSkinFrames, TurnsAroundItsAxis) {
-  FurredModel model = furred({Builtin::sphere, 20000}, {.length = 0.004, .inclination = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 20000}, {.length = 0.004, .inclination = 0}));
   SkinRegion region = everywhere(model);
   region.radii = {0.16, 0.08, 1}, region.softness = 0.02;
   model.settings.skin = {region};

@@ -23,7 +23,7 @@ FrameRequest frame_at(double scale) {
 std::vector<Crop> crops() { return {{32, 32, 64, 32}, {0, height - 9, width, 9}, {75, 55, 1, 1}}; }
 
 FurredModel animal() {
-  FurredModel model = furred({Builtin::creature, 2000});
+  FurredModel model = coarse(furred({Builtin::creature, 2000}));
   model.settings.ground = {.visible = true, .height = {}, .shadow = 1, .contact = 1};
   model.settings.coats[0].coat.guard_hairs = 200;
   return model;
@@ -91,7 +91,7 @@ class CropsAfterStrokes : public GroomedFrames {
 };
 
 TEST_F(CropsAfterStrokes, HaveTheBitsOfTheWhole) {
-  FurredModel model = furred({Builtin::creature, 2000});
+  FurredModel model = coarse(furred({Builtin::creature, 2000}));
   Renderer renderer(RendererOptions{.threads = 2}), fresh(RendererOptions{.threads = 2});
   FrameRequest asked = frame_at(1);
   asked.crop = {40, 30, 37, 41};

@@ -30,7 +30,7 @@ class Curves : public WithRenderer {
 };
 
 TEST_F(Curves, LeaveNoTraceInFramesWithoutThem) {
-  FurredModel model = furred({Builtin::sphere, 1000});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}));
   const Image before = draw(*renderer, model, small_frame());
   model.settings.curves = {line(model, {0.28, 0, 0}, {0.45, 0.05, 0})};
   EXPECT_NE(draw(*renderer, model, small_frame()).rgba, before.rgba);
@@ -39,7 +39,7 @@ TEST_F(Curves, LeaveNoTraceInFramesWithoutThem) {
 }
 
 TEST_F(Curves, AreSeenBesideTheBodyAndHiddenBehindIt) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.03});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.03}));
   const double beside = change(model, {line(model, {0.30, 0, 0}, {0.42, 0, 0})});
   EXPECT_GT(beside, 0.1);
   EXPECT_GT(change(model, {line(model, {-0.1, 0, 0.40}, {0.1, 0, 0.40})}), 0.1);  // in front
@@ -48,7 +48,7 @@ TEST_F(Curves, AreSeenBesideTheBodyAndHiddenBehindIt) {
 }
 
 TEST_F(Curves, AnEyeHidesThem) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0}));
   model.settings.eyes = {{.position = model.model.surface.mesh().to_model({0, 0, 0.3}), .radius = 0.1}};
   EXPECT_EQ(change(model, {line(model, {-0.03, 0, 0.36}, {0.03, 0, 0.36})}), 0);  // inside the eyeball
   EXPECT_GT(change(model, {line(model, {-0.03, 0, 0.42}, {0.03, 0, 0.42})}), 0.02);
@@ -56,8 +56,8 @@ TEST_F(Curves, AnEyeHidesThem) {
 
 TEST_F(Curves, FurCoversTheirRoots) {
   // The curve lies on the skin, with and without fur.
-  FurredModel bare = furred({Builtin::sphere, 1000}, {.length = 0});
-  FurredModel furry = furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3});
+  FurredModel bare = coarse(furred({Builtin::sphere, 1000}, {.length = 0}));
+  FurredModel furry = coarse(furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3}));
   // It lies above the source of the first groom's flow: fur stands up there, and the camera looks down to its roots.
   const auto on_skin = [&](const FurredModel& model) {
     return line(model, {-0.02, 0.16, 0.2435}, {0.02, 0.16, 0.2435});
@@ -68,7 +68,7 @@ TEST_F(Curves, FurCoversTheirRoots) {
 }
 
 TEST_F(Curves, CoverageFollowsTheWidthBelowAPixel) {
-  FurredModel model = furred({Builtin::sphere, 300}, {.length = 0});
+  FurredModel model = coarse(furred({Builtin::sphere, 300}, {.length = 0}));
   const auto alpha = [&](double width) {
     model.settings.curves = {line(model, {0.32, -0.1, 0}, {0.32, 0.1, 0}, width)};
     const Image image = draw(*renderer, model, small_frame());
@@ -85,7 +85,7 @@ TEST_F(Curves, CoverageFollowsTheWidthBelowAPixel) {
 }
 
 TEST_F(Curves, EveryShadingModelShowsThem) {
-  FurredModel model = furred({Builtin::sphere, 300});
+  FurredModel model = coarse(furred({Builtin::sphere, 300}));
   for (int shading = 0; shading <= static_cast<int>(ShadingModel::marschner); ++shading) {
     model.settings.look.shading = static_cast<ShadingModel>(shading);
     EXPECT_GT(change(model, {line(model, {0.30, 0, 0}, {0.42, 0, 0})}), 0.1) << shading;
@@ -93,7 +93,7 @@ TEST_F(Curves, EveryShadingModelShowsThem) {
 }
 
 TEST_F(Curves, ExtremesGiveFinitePictures) {
-  FurredModel model = furred({Builtin::sphere, 300});
+  FurredModel model = coarse(furred({Builtin::sphere, 300}));
   const Mesh& mesh = model.model.surface.mesh();
   FrameRequest request = small_frame(AutoView::front, 24);
   request.background = Background::colour;
@@ -110,7 +110,7 @@ TEST_F(Curves, ExtremesGiveFinitePictures) {
 }
 
 TEST_F(Curves, SameFrameSameBits) {
-  FurredModel model = furred({Builtin::sphere, 1000});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}));
   CurveGroup group = line(model, {0.28, 0, 0}, {0.45, 0.05, 0});
   group.curves.push_back(line(model, {0.28, 0.1, 0}, {0.4, 0.2, 0}).curves[0]);
   group.fill = 30, group.spread = 1;

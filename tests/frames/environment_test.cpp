@@ -12,7 +12,7 @@ namespace {
 class EnvironmentLight : public WithRenderer {
  protected:
   Image draw_in(const Environment& environment, ShadingModel shading = ShadingModel::kajiya) {
-    FurredModel model = furred({Builtin::sphere, 1000});
+    FurredModel model = coarse(furred({Builtin::sphere, 1000}));
     model.settings.lights.clear();
     model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.5f)}};
     model.settings.look.shading = shading;

@@ -50,7 +50,7 @@ class GroomedFrames : public ::testing::Test {
 
   /// An animal with an eye, whiskers and a ground.
   static FurredModel animal() {
-    FurredModel model = furred({Builtin::creature, 2000});
+    FurredModel model = coarse(furred({Builtin::creature, 2000}));
     model.settings.ground.visible = true;
     model.settings.eyes = {Eye{}};
     CurveGroup group;

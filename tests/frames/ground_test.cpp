@@ -35,7 +35,7 @@ class Grounds : public WithRenderer {
     model.settings.lights = {{.direction = direction, .cast_shadow = CastShadow::hard}};
   }
 
-  FurredModel model = furred({Builtin::sphere, 500}, {.length = 0.02});
+  FurredModel model = coarse(furred({Builtin::sphere, 500}, {.length = 0.02}));
 };
 
 TEST_F(Grounds, CatchNothingUnlessAsked) {

@@ -6,6 +6,7 @@
 #include "server/frames/picture_service.h"
 #include "server/frames/scene_tracer.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/furred_model.h"
 #include "tests/support/held.h"
 #include "tests/unit/scene/store_fixture.h"
 
@@ -28,6 +29,7 @@ class Locks : public StoreTest {
   }
   std::shared_ptr<Scene> groomed() const {
     auto scene = make();
+    execute(*scene, {SetCoat{.coat = coarse(Coat())}});
     for (const std::size_t vertex : {5, 90}) execute(*scene, {comb_at(*scene, vertex)});
     return scene;
   }

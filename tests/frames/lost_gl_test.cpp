@@ -6,6 +6,7 @@
 
 #include "server/frames/frame_service.h"
 #include "tests/frames/drawn.h"
+#include "tests/support/furred_model.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage::testing::lost_gl_test {
@@ -54,6 +55,7 @@ class LostGl : public StoreTest {
     ASSERT_TRUE(started.ok()) << started.status().message;
     frames_ = std::move(*started);
     scene_ = make();
+    execute(*scene_, {SetCoat{.coat = coarse(Coat())}});
   }
   void TearDown() override {
     frames_.reset(), scene_.reset();

@@ -10,7 +10,7 @@ class Masked : public WithRenderer {
  protected:
   /// A ball whose fur is masked on the side of +X, which is on the viewer's right.
   static FurredModel ball() {
-    FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05});
+    FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.05}));
     const std::vector<glm::vec3>& positions = model.model.surface.mesh().positions;
     for (std::uint32_t v = 0; v < positions.size(); ++v)
       if (positions[v].x > 0) model.fields.set(Field::mask, v, glm::vec4(0));
@@ -42,12 +42,12 @@ TEST_F(Masked, WhatIsProtectedIsLeftOutWithItsFur) {
 }
 
 TEST_F(Masked, WithoutAMaskNothingIsHidden) {
-  const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05});
+  const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.05}));
   EXPECT_EQ(draw_front(model, true).rgba, draw_front(model, false).rgba);
 }
 
 TEST_F(Masked, WhereAllIsProtectedNothingIsDrawn) {
-  FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.05});
+  FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.05}));
   for (std::uint32_t v = 0; v < model.fields.size(); ++v) model.fields.set(Field::mask, v, glm::vec4(0));
   EXPECT_EQ(covered(draw_front(model, true)), 0);
   EXPECT_GT(covered(draw_front(model, false)), 0.3);

@@ -16,7 +16,7 @@ class PaintedFrames : public WithRenderer {
 };
 
 FurredModel ball(double fur = 0.08, int triangles = 2000) {
-  return furred({Builtin::sphere, triangles}, {.length = fur, .inclination = 0.3});
+  return coarse(furred({Builtin::sphere, triangles}, {.length = fur, .inclination = 0.3}));
 }
 
 /// Sets a field at the vertices whose positions `where` accepts.
@@ -94,7 +94,7 @@ TEST_F(PaintedFrames, DensityTakesStrandsAway) {
 
 TEST_F(PaintedFrames, WhatDensityLeavesIsWhole) {
   // White fur over dark roots and skin, seen closely from above: kept strands are as bright as before, gaps show skin.
-  FurredModel model = furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0.2});
+  FurredModel model = coarse(furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0.2}));
   model.settings.coats[0].coat.ramp = {{0, {0, 0, 0}}, {0.1, {1, 1, 1}}};
   model.settings.coats[0].coat.colour_spread = 0, model.settings.coats[0].coat.clump = 0;
   Look& look = model.settings.look;
@@ -141,7 +141,7 @@ TEST_F(PaintedFrames, ColoursCoverTheCoats) {
 }
 
 TEST_F(PaintedFrames, ColoursGoFromRootToTip) {
-  FurredModel model = furred({Builtin::plane, 400}, {.length = 0.08, .inclination = 0});
+  FurredModel model = coarse(furred({Builtin::plane, 400}, {.length = 0.08, .inclination = 0}));
   model.settings.look.specular = 0;
   flood(model, Field::root_colour, glm::vec4(0.6f, 0, 0, 1));
   flood(model, Field::tip_colour, glm::vec4(0, 0, 0.6f, 1));
@@ -206,7 +206,7 @@ TEST_F(PaintedFrames, BareShowsSkin) {
 }
 
 TEST_F(PaintedFrames, ClumpAndCurlMoveStrands) {
-  FurredModel model = furred({Builtin::plane, 400}, {.length = 0.04, .inclination = 0.2});
+  FurredModel model = coarse(furred({Builtin::plane, 400}, {.length = 0.04, .inclination = 0.2}));
   request = small_frame(AutoView::top, 256);
   const Image plain = drawn(model);
   flood(model, Field::clump, 1.0f);

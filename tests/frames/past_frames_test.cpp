@@ -2,6 +2,7 @@
 #include "server/frames/frame_service.h"
 #include "server/frames/shown_scene.h"
 #include "tests/frames/drawn.h"
+#include "tests/support/furred_model.h"
 #include "tests/unit/scene/store_fixture.h"
 
 namespace pelage::testing::past_frames_test {
@@ -25,14 +26,21 @@ class PastFrames : public StoreTest {
     EXPECT_TRUE(answer.ok()) << answer.status().message << answer.status().pointer;
     return answer.ok() ? std::move(*answer) : FrameAnswer{};
   }
-  static SetCoat blue_coat() {
+  static SetCoat coat_of(const std::vector<RampStop>& ramp) {
     SetCoat set;
-    set.coat.ramp = {{0, {0, 0, 1}}, {1, {0, 0, 1}}};
+    set.coat = coarse(set.coat), set.coat.ramp = ramp;
     return set;
   }
-  /// Grooms the scene with strokes, an undo and another coat. Returns the encoded frame of each revision.
+  /// A scene with few strands, at revision 1.
+  std::shared_ptr<Scene> coarse_scene() const {
+    auto scene = make();
+    execute(*scene, {coat_of({{0, {1, 0, 0}}})});
+    return scene;
+  }
+  /// Grooms a coarse scene with strokes, an undo and another coat. Returns the encoded frame of each revision but the
+  /// first.
   std::vector<std::string> groom(const std::shared_ptr<Scene>& scene) const {
-    std::vector<std::string> seen{draw(scene).bytes};
+    std::vector<std::string> seen{"", draw(scene).bytes};
     const auto see = [&](const CommandAnswer& answer) {
       EXPECT_EQ(answer.revision, seen.size());
       seen.push_back(draw(scene).bytes);
@@ -40,7 +48,7 @@ class PastFrames : public StoreTest {
     see(execute(*scene, {comb_at(*scene, 5)}));
     see(execute(*scene, {comb_at(*scene, 200)}));
     see(move(*scene, Undo{2}));
-    see(execute(*scene, {blue_coat()}));
+    see(execute(*scene, {coat_of({{0, {0, 0, 1}}})}));
     see(execute(*scene, {comb_at(*scene, 300)}));
     return seen;
   }
@@ -50,10 +58,10 @@ class PastFrames : public StoreTest {
 };
 
 TEST_F(PastFrames, AreWhatWasDrawnThen) {
-  const auto scene = make();
+  const auto scene = coarse_scene();
   const std::vector<std::string> seen = groom(scene);
-  EXPECT_NE(seen[4], seen[3]);
-  for (const Revision revision : {0, 5, 1, 2, 3, 4, 4, 0, 2}) {
+  EXPECT_NE(seen[5], seen[4]);
+  for (const Revision revision : {1, 6, 2, 3, 4, 5, 5, 1, 3}) {
     const FrameAnswer past = draw(scene, revision);
     EXPECT_EQ(past.revision, revision);
     EXPECT_TRUE(past.bytes == seen[revision]) << revision;
@@ -62,14 +70,14 @@ TEST_F(PastFrames, AreWhatWasDrawnThen) {
 }
 
 TEST_F(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
-  const auto scene = make();
+  const auto scene = coarse_scene();
   draw(scene);
   const std::uint64_t id = scene->memory().copy_id;
   const std::size_t alone = frames_->copy_bytes(id);
   groom(scene);
-  draw(scene, 1);
+  draw(scene, 2);
   EXPECT_GT(frames_->copy_bytes(id), 2 * alone) << "strands as many, and fields";
-  draw(scene, 2), draw(scene, 0), draw(scene);
+  draw(scene, 3), draw(scene, 1), draw(scene);
   EXPECT_LT(frames_->copy_bytes(id), 5 * alone) << "two of three are kept";
   ASSERT_TRUE(store_->subdivide(*scene, {}).ok());
   frames_->forget(id);
@@ -82,9 +90,9 @@ TEST_F(PastFrames, CountAsTheirScenesAndGoWithItsModel) {
 
 TEST_F(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
   Renderer renderer{{.threads = 2}};
-  const auto scene = make();
-  FrameRequest request;
-  request.revision = 0;
+  const auto scene = coarse_scene();
+  FrameRequest request = small_frame();
+  request.revision = 1;
   PastScenes scenes;
   const Result<FrameView> view = view_of(*scene, request, scenes);
   ASSERT_TRUE(view.ok());
@@ -94,8 +102,8 @@ TEST_F(PastFrames, ASceneThatGoesOnMeanwhileIsShownAsItWasAskedFor) {
   RendererCopyStates fur;
   const ShownScene newest = sync_snapshot(renderer, fur, scene->snapshot(), request);
   const ShownScene shown = sync_snapshot(renderer, fur, view->snapshot, request);
-  EXPECT_EQ(newest.revision(), 1u);
-  EXPECT_EQ(shown.revision(), 0u);
+  EXPECT_EQ(newest.revision(), 2u);
+  EXPECT_EQ(shown.revision(), 1u);
   EXPECT_EQ(shown.snapshot->fields->hash(), asked);
   Renderer other{{.threads = 2}};
   RendererCopyStates none;

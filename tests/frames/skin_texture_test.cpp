@@ -12,7 +12,7 @@ class Backplate : public WithRenderer {
  protected:
   /// A ball with UVs, under white light from all directions.
   static FurredModel ball() {
-    FurredModel model = furred(with_planar_uvs(make_builtin({Builtin::sphere, 1000})));
+    FurredModel model = coarse(furred(with_planar_uvs(make_builtin({Builtin::sphere, 1000}))));
     model.settings.lights.clear();
     model.settings.look.ambient = 1;
     return model;

@@ -58,15 +58,15 @@ FrameRequest askew(int width, int height) {
   return request;
 }
 
-FurredModel smooth_ball(double fur = 0.05) {
-  return furred({Builtin::sphere, 40'000}, {.length = fur, .inclination = 0.3});
+FurredModel ball(int triangles = 4000) {
+  return furred({Builtin::sphere, triangles}, {.length = 0.05, .inclination = 0.3});
 }
 
 const double ball_radius = 0.5 / std::sqrt(3.0);  // the bounding box's diagonal is 1
 
 /// The ball is seen at all slopes up to 70 degrees, so a shift by a tenth of a pixel would show.
 TEST_F(Base, RaysMeetTheBallWhereItIsDrawn) {
-  const FurredModel model = smooth_ball();
+  const FurredModel model = ball(40'000);
   for (const glm::ivec2 size : {glm::ivec2(200, 120), glm::ivec2(120, 200), glm::ivec2(97, 61)}) {
     const FrameRequest request = askew(size.x, size.y);
     const FurFrame frame = frame_of(*renderer, model, request);
@@ -96,7 +96,7 @@ TEST_F(Base, RaysMeetTheBallWhereItIsDrawn) {
 }
 
 TEST_F(Base, RaysMeetThePlaneWhereItIsDrawn) {
-  const FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05});
+  const FurredModel model = coarse(furred({Builtin::plane, 200}, {.length = 0.05}));
   const FrameRequest request = askew(200, 120);
   const FurFrame frame = frame_of(*renderer, model, request);
   const Backplate base = base_of(model, request);
@@ -120,7 +120,7 @@ TEST_F(Base, RaysMeetThePlaneWhereItIsDrawn) {
 /// Skin under fur is a matt surface of the undercoat's colour, without shadows; a rectangular light emits by the
 /// cosine.
 TEST_F(Base, SkinIsLitAsIfNothingGrewOnIt) {
-  FurredModel model = smooth_ball();
+  FurredModel model = ball();
   Look& look = model.settings.look;
   look.ambient = 0.3, look.diffuse = 0.8;
   const glm::dvec3 area_position(0.2, 1.1, 1.4), aim = glm::normalize(glm::dvec3(0, -1, -1));
@@ -153,7 +153,7 @@ TEST_F(Base, SkinIsLitAsIfNothingGrewOnIt) {
 }
 
 TEST_F(Base, OfTheKnobsOnlyEyeStepsCount) {
-  FurredModel model = smooth_ball();
+  FurredModel model = ball();
   model.settings.coats[0].coat.pattern.kind = PatternKind::spots;
   model.settings.lights[0].cast_shadow = CastShadow::hard;
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.08}};
@@ -173,7 +173,7 @@ TEST_F(Base, OfTheKnobsOnlyEyeStepsCount) {
 
 /// Drawing a backplate changes no later frame.
 TEST_F(Base, LeavesFramesAsTheyAre) {
-  FurredModel model = furred({Builtin::creature, 2000});
+  FurredModel model = coarse(furred({Builtin::creature, 2000}));
   model.settings.coats[0].coat.pattern.kind = PatternKind::spots;
   model.settings.skin = {{.centre = {0, 0, 0.3}, .radii = glm::dvec3(0.1)}};
   const Image before = draw(*renderer, model, small_frame());
@@ -183,7 +183,7 @@ TEST_F(Base, LeavesFramesAsTheyAre) {
 
 /// Without ambient light and without surroundings to reflect, all light is direct, on skin, bare skin and eyes.
 TEST_F(Base, DirectIsWhatLightsBring) {
-  FurredModel model = smooth_ball();
+  FurredModel model = ball();
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .wetness = 0.5}};
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1, .lids = Lids{}}};
   FrameRequest request = askew(120, 90);
@@ -210,7 +210,7 @@ TEST_F(Base, DirectIsWhatLightsBring) {
 }
 
 TEST_F(Base, IsFiniteUnderBlindingLights) {
-  FurredModel model = smooth_ball();
+  FurredModel model = ball();
   model.settings.skin = {{.centre = {0.8, 0.2, 0.6}, .radii = glm::dvec3(0.25), .roughness = 0.02, .wetness = 1}};
   model.settings.eyes = {{.position = {0, 0, 1}, .radius = 0.1}};
   const glm::dvec3 on_skin = glm::normalize(glm::dvec3(0.8, 0.2, 0.6));
@@ -224,7 +224,7 @@ TEST_F(Base, IsFiniteUnderBlindingLights) {
 }
 
 TEST_F(Base, ALargeFrameIsNotDoubled) {
-  const FurredModel model = furred({Builtin::sphere, 500});
+  const FurredModel model = coarse(furred({Builtin::sphere, 500}));
   EXPECT_EQ(base_of(model, askew(1024, 8)).beauty.width, 2048);
   EXPECT_EQ(base_of(model, askew(8, 1025)).beauty.height, 1025);
 }
@@ -257,7 +257,7 @@ class Finish : public WithRenderer {
     return {largest_difference(drawn, finished), largest};
   }
 
-  FurredModel model = furred({Builtin::creature, 2000});
+  FurredModel model = coarse(furred({Builtin::creature, 2000}));
 };
 
 TEST_F(Finish, IsWhatIsDrawnOfTheSameLight) {

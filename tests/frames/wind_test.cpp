@@ -11,7 +11,7 @@ class InTheWind : public WithRenderer {
  protected:
   static constexpr FirstGroom ball{.length = 0.08, .inclination = 0.2};
   static FurredModel blown_ball() {
-    FurredModel model = furred({Builtin::sphere, 1500}, ball);
+    FurredModel model = coarse(furred({Builtin::sphere, 1500}, ball));
     model.settings.wind = {.speed = 0.6, .direction = {1, 0.4, 0}, .turbulence_scale = 0.2};
     return model;
   }
@@ -43,7 +43,7 @@ TEST_F(InTheWind, AMomentHasTheSameBitsWhateverWasDrawnBefore) {
   model.settings.wind.speed = 0;
   const Image still = at(*renderer, model, 2);
   EXPECT_GT(mean_difference(still, first), 0.5);
-  EXPECT_EQ(largest_difference(still, draw(*renderer, furred({Builtin::sphere, 1500}, ball), request)), 0);
+  EXPECT_EQ(largest_difference(still, draw(*renderer, coarse(furred({Builtin::sphere, 1500}, ball)), request)), 0);
   model.settings.wind.speed = 0.6;
   EXPECT_EQ(largest_difference(at(*renderer, model, 2), first), 0);
 }

@@ -208,8 +208,8 @@ class Sorted : public WithRenderer {
 };
 
 TEST_P(Sorted, OrderOfTrianglesDoesNotMatter) {
-  FurredModel model = furred({Builtin::creature, 1500}, {.length = 0.05, .inclination = 0.5});
-  const FrameRequest request = request_of(FragmentOrder::sorted, 32);
+  FurredModel model = furred({Builtin::torus, 1000}, {.length = 0.05, .inclination = 0.5});
+  const FrameRequest request = request_of(FragmentOrder::sorted, 16);
   const FloatImage before = light_of(*renderer, model, request);
   FrameRequest aovs = request;
   aovs.knobs.shells.order = FragmentOrder::four_pass;

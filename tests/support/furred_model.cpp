@@ -27,6 +27,18 @@ FurredModel furred(const RawModel& raw, FirstGroom fur) {
 
 FurredModel furred(BuiltinModel model, FirstGroom fur) { return furred(make_builtin(model), fur); }
 
+Coat coarse(Coat coat) {
+  constexpr int times = 9;
+  coat.count /= times;
+  coat.width_root *= times, coat.width_tip *= times;
+  return coat;
+}
+
+FurredModel coarse(FurredModel model) {
+  for (NamedCoat& coat : model.settings.coats) coat.coat = coarse(coat.coat);
+  return model;
+}
+
 FurredModel furred_file(const std::string& path, FirstGroom fur) {
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};

@@ -23,7 +23,7 @@ class DamageTest(ServedTest):
         pass
 
     def groomed(self, height=0.0, **more):
-        scene = self.server.new_scene("sphere", 1000, **more)
+        scene = self.server.new_scene("sphere", 500, **more)
         for step in (flood([0, -1, 0], lean=0.6), comb([-0.5, height, 0.5], [0.5, 0.3, 0.5], radius=0.3), BLUE):
             self.assertEqual(scene.run(step).status, 200)
         return scene
@@ -71,7 +71,7 @@ class OneBadScene(DamageTest):
         self.assertIn("revision 2", self.listed()[bad.id]["damage"])
         self.assertEqual([scene["damage"] == "" for scene in self.listed().values()], [True, False, True])
         self.assertEqual(bad.info()["revision"], 1)
-        self.assertEqual(bad.frame().image.shape[0], 128)
+        self.assertEqual(bad.frame(quality="draft").image.shape[0], 128)
         for refused in (bad.run(BLUE), bad.post("undo"), bad.post("revert", {"revision": 0}), bad.post("amend", {"revision": 1, "commands": []}),
                         bad.post("subdivide", {"levels": 1})):
             self.assert_problem(refused, 409)
@@ -138,7 +138,7 @@ class ShorterLog(DamageTest):
         self.assert_problem(scene.run(BLUE), 503)
         self.assert_problem(self.server.post("/v1/scenes", {"model": {"builtin": "plane"}}), 503)
         self.assertEqual(scene.info(), before)
-        self.assertEqual(scene.frame().image.shape[0], 128)
+        self.assertEqual(scene.frame(quality="draft").image.shape[0], 128)
         self.assertIn("pelage_ready 0", self.server.get("/metrics").body.decode())
         aside.rename(self.server.data)
         self.assertEqual(self.ready(), "ready\n")
@@ -159,7 +159,7 @@ class FullDisk(unittest.TestCase):
 
     def test_start_list_and_delete_work(self):
         server = self.server
-        scenes = [server.new_scene("sphere", 2000) for _ in range(3)]
+        scenes = [server.new_scene("sphere", 500) for _ in range(3)]
         before = [scene.info() for scene in scenes]
         filler = self.disk / "filler"
         with open(filler, "wb", buffering=0) as file:
@@ -171,7 +171,7 @@ class FullDisk(unittest.TestCase):
         problem = server.get("/readyz")
         self.assertEqual(problem.status, 503)
         self.assertIn("0 MiB left", problem.json["detail"])
-        for refused in (scenes[0].run(flood([0, -1, 0])), server.post("/v1/scenes", {"model": {"builtin": "torus", "triangles": 2000}})):
+        for refused in (scenes[0].run(flood([0, -1, 0])), server.post("/v1/scenes", {"model": {"builtin": "torus", "triangles": 500}})):
             self.assertEqual(refused.status, 503, refused)
             self.assertIn("0 MiB left", refused.json["detail"])
         for end in (server.kill, server.terminate):

@@ -41,6 +41,7 @@ class Revisions(ServedTest):
 
     def test_etags(self):
         scene = self.server.new_scene()
+        scene.thin_out()
         first = self.server.get(scene.path)
         same = self.server.get(scene.path, headers={"If-None-Match": first.headers["etag"]})
         self.assertEqual((same.status, same.body), (304, b""))
@@ -87,12 +88,13 @@ class Idempotency(ServedTest):
         self.assert_problem(scene.run(flood([0, 1, 0]), headers={"Idempotency-Key": "x" * 201}), 400)
 
     def test_scenes_are_made_once(self):
-        made = [self.server.post("/v1/scenes", {"name": "once"}, headers={"Idempotency-Key": "c1"}) for _ in range(3)]
+        body = {"name": "once", "model": {"builtin": "plane", "triangles": 2}}
+        made = [self.server.post("/v1/scenes", body, headers={"Idempotency-Key": "c1"}) for _ in range(3)]
         self.assertEqual({answer.headers["location"] for answer in made}, {made[0].headers["location"]})
         self.assertEqual(sum(scene["name"] == "once" for scene in self.server.get("/v1/scenes").json["scenes"]), 1)
 
     def test_at_the_same_time(self):
-        scene = self.server.new_scene("creature", 20000)
+        scene = self.server.new_scene("sphere", 10000)
         batch = [comb([0, 0, -0.5], [0, 0.3, 0.5], radius=0.5, lean=0.5 + k / 100) for k in range(30)]
         with concurrent.futures.ThreadPoolExecutor(6) as pool:
             answers = list(pool.map(lambda _: scene.run(*batch, headers={"Idempotency-Key": "d1"}), range(6)))
@@ -103,13 +105,14 @@ class Idempotency(ServedTest):
 class Waiting(ServedTest):
     def test_news_end_a_wait(self):
         scene = self.server.new_scene("plane", 2)
+        scene.thin_out()
         timer = threading.Timer(0.7, lambda: scene.run(flood([1, 0, 0], lean=0.9)))
         begin = time.monotonic()
         timer.start()
-        answer = self.server.get(f"{scene.path}/frame.png?width=16&height=16&after=0&wait=20")
+        answer = self.server.get(f"{scene.path}/frame.png?width=16&height=16&after=1&wait=20")
         timer.join()
         self.assertEqual(answer.status, 200, answer)
-        self.assertEqual(answer.headers["pelage-revision"], "1")
+        self.assertEqual(answer.headers["pelage-revision"], "2")
         self.assertGreater(time.monotonic() - begin, 0.6)
 
     def test_no_news(self):
@@ -121,7 +124,7 @@ class Waiting(ServedTest):
 
     def test_old_news_are_answered_at_once(self):
         scene = self.server.new_scene("plane", 2)
-        scene.run(flood([1, 0, 0], lean=0.9))
+        scene.thin_out()
         self.assertEqual(scene.post("frames?after=0&wait=20", {"width": 8, "height": 8}).status, 200)
 
     def test_bad_waits(self):
@@ -141,7 +144,7 @@ class Waiting(ServedTest):
 
 class Views(ServedTest):
     def test_of_many_frames_for_one_view_the_newest_is_drawn(self):
-        scene = self.server.new_scene("creature", 5000)
+        scene = self.server.new_scene("sphere", 2000)
         request = {"width": 256, "height": 256, "quality": "detailed", "view": "me"}
         with concurrent.futures.ThreadPoolExecutor(8) as pool:
             answers = list(pool.map(lambda _: scene.post("frames", request).status, range(8)))
@@ -153,7 +156,7 @@ class Views(ServedTest):
         def frames_drawn():
             return int(re.search(r"pelage_frames_total (\d+)", self.server.get("/metrics").body.decode())[1])
 
-        scene = self.server.new_scene("creature", 5000)
+        scene = self.server.new_scene("sphere", 2000)
         before = frames_drawn()
         body = b'{"width": 320, "height": 320, "quality": "detailed"}'
         head = f"POST {scene.path}/frames HTTP/1.1\r\nHost: localhost\r\nContent-Length: {len(body)}\r\n\r\n".encode()
@@ -166,10 +169,17 @@ class Views(ServedTest):
 
 
 class Picking(ServedTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.scene = cls.server.new_scene("sphere", 500)
+        cls.view = {"camera": {"auto": "front"}, "width": 200, "height": 200}
+
+    def pick(self, *pixel):
+        return self.scene.post("pick", {"view": self.view, "pixel": pixel}).json
+
     def test_a_hit(self):
-        scene = self.server.new_scene("sphere", 2000)
-        view = {"camera": {"auto": "front"}, "width": 200, "height": 200}
-        hit = scene.post("pick", {"view": view, "pixel": [100, 100]}).json
+        hit = self.pick(100, 100)
         self.assertTrue(hit["hit"])
         self.assertAlmostEqual(sum(hit["barycentric"]), 1, places=6)
         self.assertGreater(hit["normal"][2], 0.95)
@@ -177,19 +187,15 @@ class Picking(ServedTest):
         self.assertGreater(hit["length"], 0)
 
     def test_what_is_picked_can_be_combed(self):
-        scene = self.server.new_scene("sphere", 2000)
-        view = {"camera": {"auto": "front"}, "width": 200, "height": 200}
-        picks = [scene.post("pick", {"view": view, "pixel": [60 + 20 * k, 100]}).json for k in range(5)]
+        picks = [self.pick(60 + 20 * k, 100) for k in range(5)]
         samples = [{"triangle": p["triangle"], "barycentric": p["barycentric"]} for p in picks]
-        answer = scene.run({"op": "comb", "stroke": {"samples": samples}, "lean": 1.0})
+        answer = self.scene.run({"op": "comb", "stroke": {"samples": samples}, "lean": 1.0})
         self.assertGreater(answer.json["results"][0]["touched"], 0, answer)
-        after = scene.post("pick", {"view": view, "pixel": [100, 100]}).json
+        after = self.pick(100, 100)
         self.assertGreater(after["direction"][0], 0.5, "the fur lies along +X, where the stroke went")
 
     def test_a_miss(self):
-        scene = self.server.new_scene("sphere", 2000)
-        view = {"camera": {"auto": "front"}, "width": 200, "height": 200}
-        self.assertEqual(scene.post("pick", {"view": view, "pixel": [0, 0]}).json, {"hit": False})
+        self.assertEqual(self.pick(0, 0), {"hit": False})
 
 
 if __name__ == "__main__":

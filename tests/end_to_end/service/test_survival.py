@@ -17,7 +17,8 @@ class Survival(ServedTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.scene = cls.server.new_scene("creature", 4000)
+        cls.scene = cls.server.new_scene("sphere", 2000)
+        cls.scene.thin_out()
 
     def test_a_ray_from_beyond_the_limits_is_refused(self):
         far = 1e19
@@ -68,8 +69,8 @@ class FileSize(unittest.TestCase):
     def test_a_file_beyond_the_limit_is_a_refusal(self):
         server = Server()
         self.addCleanup(server.close)
-        scene = server.new_scene("sphere", 50_000)
-        resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (1 << 16, 1 << 16))
+        scene = server.new_scene("sphere", 10_000)
+        resource.prlimit(server.process.pid, resource.RLIMIT_FSIZE, (1 << 14, 1 << 14))
         answer = scene.run({"op": "noise", "flood": True, "amount": .5, "seed": 1})
         self.assertIn(answer.status, (500, 503), answer)
         self.assertEqual(server.get(scene.path).status, 200)
@@ -84,6 +85,7 @@ class Memory(unittest.TestCase):
         server = Server(gl="none")
         self.addCleanup(server.close)
         scene = server.new_scene("sphere", 2000)
+        scene.thin_out()
         scene.frame()  # all threads are there, and what they keep
         pages = int(pathlib.Path(f"/proc/{server.process.pid}/statm").read_text().split()[0])
         limit = pages * resource.getpagesize() + (200 << 20)
