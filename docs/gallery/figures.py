@@ -104,8 +104,8 @@ def half(field, value):
             "stroke": {"samples": [{"position": [0.5, 0, z], "time": z + 1} for z in (-1, 1)]}}
 
 
-SPOTS = [dabbed(field, 1, radius, place, colour=colour)
-         for place, radius in (((150, 215), 0.045), ((185, 240), 0.05), ((195, 205), 0.03), ((230, 215), 0.05), ((160, 255), 0.035),
+SPOTS = [dabbed(field, 1, radius, position, colour=colour)
+         for position, radius in (((150, 215), 0.045), ((185, 240), 0.05), ((195, 205), 0.03), ((230, 215), 0.05), ((160, 255), 0.035),
                                ((258, 240), 0.04), ((275, 205), 0.04))
          for field, colour in (("root_colour", "#241a14"), ("tip_colour", "#3a2417"))]
 PATCHES = [dabbed("density", 0.04, 0.07, (140, 290), (165, 300), falloff="sphere"), dabbed("bare", 1, 0.1, (222, 268), falloff="sphere"),

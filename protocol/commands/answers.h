@@ -121,12 +121,12 @@ struct ModelReport {
 };
 
 /// How a scene's groom was transferred to a new version of its model.
-struct CarriedReport {
+struct TransferReport {
   Alignment align = Alignment::none;
   std::size_t vertices = 0;
   std::size_t far = 0;      // vertices farther than .05 sizes from the old model
   std::string before = {};  // id of a scene that holds the previous state and log
-  bool operator==(const CarriedReport&) const = default;
+  bool operator==(const TransferReport&) const = default;
 };
 
 struct SceneSummary {
@@ -141,10 +141,10 @@ struct SceneSummary {
   FieldsHash fields_hash;
   std::size_t undo_steps = 0;  // steps that can be undone
   std::size_t redo_steps = 0;
-  std::vector<CoatEntry> coats = {};          // without the settings of their strands (CoatEntry::coat)
-  std::vector<EditLayer> edit_layers = {};    // bottom to top
-  std::string damage = {};                    // damage of its journal; "" for none
-  std::optional<CarriedReport> carried = {};  // only in the answer to the upload of a new version of the model
+  std::vector<CoatEntry> coats = {};            // without the settings of their strands (CoatEntry::coat)
+  std::vector<EditLayer> edit_layers = {};      // bottom to top
+  std::string damage = {};                      // damage of its journal; "" for none
+  std::optional<TransferReport> transfer = {};  // only in the answer to the upload of a new version of the model
   bool operator==(const SceneSummary&) const = default;
 };
 

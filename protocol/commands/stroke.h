@@ -38,7 +38,7 @@ struct SurfaceSample {
 };
 
 struct StrokeSample {
-  std::variant<PositionSample, ScreenSample, SurfaceSample> place;
+  std::variant<PositionSample, ScreenSample, SurfaceSample> position;
   double pressure = 1;  // [0, 1]
   double time = 0;      // seconds, [0, 1e6], never decreasing
 };

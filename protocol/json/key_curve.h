@@ -37,8 +37,8 @@ class KeyCurve {
   std::vector<std::vector<double>> numbers_;  // [component][key]; empty with step
 };
 
-/// Monotone cubic Hermite interpolation (Fritsch and Carlson 1980) of values at ascending places; `at` lies in the
-/// interval that begins at places[left].
+/// Monotone cubic Hermite interpolation (Fritsch and Carlson 1980) of values at ascending `xs`; `at` lies in the
+/// interval that begins at xs[left].
 double monotone_cubic(const std::vector<double>& xs, const std::vector<double>& values, std::size_t left, double at);
 
 }  // namespace pelage::json_parts

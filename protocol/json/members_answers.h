@@ -194,7 +194,7 @@ void report_members(V& v, Visited<V, ModelReport>& c) {
 }
 
 template <class V>
-void members(V& v, Visited<V, CarriedReport>& c) {
+void members(V& v, Visited<V, TransferReport>& c) {
   v.answer("Carried", "How the groom was transferred to a new version of the model.");
   v.name("align", c.align, json_names::alignments, "How both models were aligned.");
   v.counter("vertices", c.vertices, "Number of vertices; each took the fur nearest to it.");
@@ -224,7 +224,7 @@ void members(V& v, Visited<V, SceneSummary>& c) {
          "Damage of its journal; empty for none. A damaged scene has its state from before the damage and refuses "
          "changes (409); it can be viewed, exported and branched, unless its model is damaged.",
          any_length);
-  v.object(sparse("carried"), c.carried,
+  v.object(sparse("carried"), c.transfer,
            "How the groom was transferred; only in the answer to a new version of the model.");
 }
 

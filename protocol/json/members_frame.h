@@ -102,6 +102,35 @@ void members(V& v, Visited<V, Crop>& c) {
   v.integer(required("height"), c.height, pixels, "Height of the part, which ends inside the frame.");
 }
 
+/// Visits the members that say in what file the picture comes.
+template <class V>
+void file_members(V& v, Visited<V, FrameRequest>& c) {
+  v.name("format", c.format, json_names::frame_formats,
+         "Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy like jpeg, half as "
+         "large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and background, "
+         "premultiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4]. npy_linear: the "
+         "channels of a float exr as a NumPy array [height, width, channels].");
+  v.integer("lossy_quality", c.lossy_quality, {0, 100},
+            "Quality of jpeg and webp, 1 to 100. 0 follows the frame's quality: 80 for a draft, 88 for an interactive "
+            "frame, 94 for better ones.");
+  v.name("exr_type", c.exr_type, json_names::exr_types,
+         "Type of the channels of an EXR. Depth, position, strand, root and cryptomatte are always float.");
+  if (v.shows(is_linear(c.format)))
+    v.names(
+        bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
+        "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
+        "pixels times AOVs are at most 67108864, where cryptomatte counts as four. Channels: R, G, B, A of beauty; A "
+        "of alpha; Z of depth; AOV.X, .Y, .Z "
+        "of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count; "
+        "strand.id, .along and .coat; CryptoObject00 to 02 of cryptomatte, whose manifest names skin, eyes, curves and "
+        "coat/NAME of each coat.");
+  if (v.shows(is_linear(c.format)))
+    v.text(sparse("colour_space"), c.colour_space,
+           "Colour space of beauty, albedo and direct, for exr and npy_linear: a name, an alias or a role of the "
+           "OpenColorIO configuration that $OCIO names for the server. Linear with the primaries of Rec. 709 when "
+           "absent.");
+}
+
 template <class V>
 void members(V& v, Visited<V, FrameRequest>& c) {
   v.type("FrameRequest", "A picture to draw. What is not given takes its default.");
@@ -134,30 +163,7 @@ void members(V& v, Visited<V, FrameRequest>& c) {
   v.text(sparse("view"), c.view,
          "Name of the viewer, at most 200 bytes. Of several requests with one name only the newest is drawn; the "
          "others get 409.");
-  v.name("format", c.format, json_names::frame_formats,
-         "Format of the picture. png and png16: 8 and 16 bit sRGB. jpeg: without alpha. webp: lossy like jpeg, half as "
-         "large, ten times slower to make, with alpha. exr: linear light without exposure, tone map and background, "
-         "premultiplied by alpha. npy: the pixels of png as a NumPy array of bytes [height, width, 4]. npy_linear: the "
-         "channels of a float exr as a NumPy array [height, width, channels].");
-  v.integer("lossy_quality", c.lossy_quality, {0, 100},
-            "Quality of jpeg and webp, 1 to 100. 0 follows the frame's quality: 80 for a draft, 88 for an interactive "
-            "frame, 94 for better ones.");
-  v.name("exr_type", c.exr_type, json_names::exr_types,
-         "Type of the channels of an EXR. Depth, position, strand, root and cryptomatte are always float.");
-  if (v.shows(is_linear(c.format)))
-    v.names(
-        bare("aovs"), c.aovs, json_names::aovs, 1, "AOV",
-        "AOVs (arbitrary output variables) that the file holds, for exr and npy_linear; `[beauty]` when absent. Drawn "
-        "pixels times AOVs are at most 67108864, where cryptomatte counts as four. Channels: R, G, B, A of beauty; A "
-        "of alpha; Z of depth; AOV.X, .Y, .Z "
-        "of position, normal, tangent and root; AOV.R, .G, .B of albedo and direct; AOV.Y of shadow and sample_count; "
-        "strand.id, .along and .coat; CryptoObject00 to 02 of cryptomatte, whose manifest names skin, eyes, curves and "
-        "coat/NAME of each coat.");
-  if (v.shows(is_linear(c.format)))
-    v.text(sparse("colour_space"), c.colour_space,
-           "Colour space of beauty, albedo and direct, for exr and npy_linear: a name, an alias or a role of the "
-           "OpenColorIO configuration that $OCIO names for the server. Linear with the primaries of Rec. 709 when "
-           "absent.");
+  file_members(v, c);
   v.name(
       "overlay", c.overlay, json_names::overlays,
       "Shows a field on the fur; not with exr and npy_linear. density, wetness and mask go from dark violet for 0 to "

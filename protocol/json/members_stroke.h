@@ -30,7 +30,7 @@ void members(V& v, Visited<V, View>& c) {
 template <class V>
 void members(V& v, Visited<V, StrokeSample>& c) {
   v.type("Sample", "A point of a stroke: a position, a pixel of its view, or a triangle with barycentrics.");
-  v.place(c.place);
+  v.sample_position(c.position);
   v.number("pressure", c.pressure, share, "Scales the brush's strength.");
   v.number("time", c.time, {0, 1000000, "seconds"}, "Time of the sample; never before that of the previous sample.");
 }

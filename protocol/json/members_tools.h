@@ -16,7 +16,7 @@ void layer_member(V& v, Tool& c) {
 
 /// Visits the members that say where a tool works and what stores its change.
 template <class V, class Tool>
-void place_members(V& v, Tool& c) {
+void stroke_members(V& v, Tool& c) {
   v.object(NeedsStroke<Tool> ? required("stroke") : "stroke", c.stroke);
   v.object("brush", c.brush);
   layer_member(v, c);
@@ -30,7 +30,7 @@ void flood_member(V& v, Tool& c) {
 template <class V>
 void members(V& v, Visited<V, Comb>& c) {
   v.type("Comb", "Combs fur along the stroke; as a flood, everywhere along `direction`.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.number("lean", c.lean, share, "Inclination that combing tends to: 0 upright, 1 lying.");
   v.boolean("keep_inclination", c.keep_inclination, "Turns the heading only; the inclination stays.");
   v.direction("direction", c.direction, "Direction that a flood combs to; required by a flood, refused with a stroke.");
@@ -53,7 +53,7 @@ template <class V>
 void members(V& v, Visited<V, Blow>& c) {
   v.type("Blow",
          "Wind inside a cone, from a source or a stored blower. A stroke restricts it to what its brush covers.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.text(sparse("blower"), c.blower, "Name of a blower of the scene; replaces all other wind members.");
   if (v.takes(c.blower.empty())) wind_members(v, c, bare("source"));
 }
@@ -75,7 +75,7 @@ void members(V& v, Visited<V, Attract>& c) {
   v.type("Attract",
          "Pulls fur to a stick, or to a stored attractor, and stretches it. A stroke restricts it to what its brush "
          "covers.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.text(sparse("attractor"), c.attractor, "Name of an attractor of the scene; replaces all other stick members.");
   if (v.takes(c.attractor.empty())) stick_members(v, c, bare("point"));
 }
@@ -94,7 +94,7 @@ template <class V>
 void members(V& v, Visited<V, Interpolate>& c) {
   v.type("Interpolate",
          "Spreads keys over the surface with Gaussian weights of the distance. What no key reaches keeps its value.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.objects(required("keys"), c.keys, {1, limits::keys}, "The fur at a few positions.");
   v.number("sigma", c.sigma, width_in_units,
            "Width of the Gaussians, in `units`; at least 0.000001 and at most 1000000 sizes.");
@@ -110,7 +110,7 @@ void members(V& v, Visited<V, Interpolate>& c) {
 template <class V>
 void members(V& v, Visited<V, Flow>& c) {
   v.type("Flow", "Lays the fur of the whole body along curves drawn on it, from the first point of each to the last.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.curves(required("curves"), c.curves, {1, limits::flow_curves}, {2, limits::flow_points},
            "Curves on the model, each a list of points that fur follows from the first to the last.");
   v.number("sigma", c.sigma, width_in_units,
@@ -128,7 +128,7 @@ void members(V& v, Visited<V, Flow>& c) {
 template <class V>
 void members(V& v, Visited<V, Smooth>& c) {
   v.type("Smooth", "Blends each value with the mean of its neighbours, nearer ones counting more.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.number("t", c.t, share, "Share of the mean in each pass; above 0.5 values can oscillate.");
   v.integer("passes", c.passes, {1, limits::passes}, "Number of passes.");
   v.boolean("keep_inclination", c.keep_inclination,
@@ -139,7 +139,7 @@ void members(V& v, Visited<V, Smooth>& c) {
 template <class V>
 void members(V& v, Visited<V, Noise>& c) {
   v.type("Noise", "Adds random numbers that depend only on the seed and the position; inverted it subtracts them.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.seed("seed", c.seed, "Other seeds give other noise.");
   v.number("amount", c.amount, {0, 10, "varies"},
            "Amplitude of the noise: an inclination for direction; a share of the value for length, stretch, width and "
@@ -153,7 +153,7 @@ void members(V& v, Visited<V, Noise>& c) {
 template <class V>
 void members(V& v, Visited<V, Unify>& c) {
   v.type("Unify", "Blends fur to a value, or to the mean under the brush.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.direction("direction", c.direction, "Direction that fur is turned to.");
   v.number("inclination", c.inclination, share, "How far fur leans: 0 upright, 1 lying. Absent: unchanged.");
   v.number("length", c.length, length_in_units,
@@ -166,14 +166,14 @@ void members(V& v, Visited<V, Unify>& c) {
 template <class V>
 void members(V& v, Visited<V, Part>& c) {
   v.type("Part", "A parting line: fur leans away from the stroke on both sides, inverted towards it.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.number("lean", c.lean, share, "Inclination that the fur tends to: 0 upright, 1 lying.");
 }
 
 template <class V>
 void members(V& v, Visited<V, Whorl>& c) {
   v.type("Whorl", "Turns fur around the nearest point of the stroke: a cowlick. Inverted it turns the other way.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.number("turn_degrees", c.turn_degrees, {-180, 180, "degrees"},
            "Angle of fur from outwards, counter-clockwise seen from outside: 0 points out, 90 circles, 180 points in.");
   v.number("lean", c.lean, share, "Inclination that the fur tends to: 0 upright, 1 lying.");
@@ -182,7 +182,7 @@ void members(V& v, Visited<V, Whorl>& c) {
 template <class V>
 void members(V& v, Visited<V, Length>& c) {
   v.type("Length", "Changes how long fur is.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.name("mode", c.mode, json_names::length_modes,
          "How `value` changes the length. average: to the mean under the brush. jitter: by a random share. min, max: "
          "at least, at most `value`.");
@@ -214,7 +214,7 @@ void members(V& v, Visited<V, Trim>& c) {
   v.type("Trim",
          "Cuts fur, as it leans, by a plane, by a sphere or at a height over the skin. A flood ignores the brush's "
          "strength.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.template alternative<TrimPlane>("plane", c.shape, "Plane that fur is cut by.");
   v.template alternative<TrimSphere>("sphere", c.shape, "Sphere that fur is cut by.");
   v.alternative("height", c.shape, length_in_units,
@@ -225,7 +225,7 @@ void members(V& v, Visited<V, Trim>& c) {
 template <class V>
 void members(V& v, Visited<V, Lift>& c) {
   v.type("Lift", "Raises fur; inverted it lays it down. Fur that stands upright has no heading and stays.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
 }
 
 template <class V>
@@ -233,7 +233,7 @@ void members(V& v, Visited<V, Erase>& c) {
   v.type("Erase",
          "Restores the first groom, or a checkpoint or revision of this scene; with an edit layer and neither of them, "
          "removes what that layer adds. The mask stays unless it is named.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.text(sparse("checkpoint"), c.checkpoint,
          "Name of the checkpoint to restore. Empty: the first groom, or `revision`.");
   v.counter("revision", c.revision, "Revision of this model to restore.");
@@ -243,7 +243,7 @@ void members(V& v, Visited<V, Erase>& c) {
 template <class V>
 void members(V& v, Visited<V, Clump>& c) {
   v.type("Clump", "Turns fur towards the stroke and gathers its tips; inverted it spreads them.");
-  place_members(v, c);
+  stroke_members(v, c);
   v.number("gather", c.gather, share, "How far fur turns to the stroke: 0 none, 1 fully.");
   v.number("amount", c.amount, share, "Value that the field clump tends to.");
 }
@@ -251,7 +251,7 @@ void members(V& v, Visited<V, Clump>& c) {
 template <class V>
 void members(V& v, Visited<V, Curl>& c) {
   v.type("Curl", "Curls fur and turns its heading; inverted it removes the curl and turns the other way.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.number("amount", c.amount, share, "Value that the field curl tends to.");
   v.number("turn_degrees", c.turn_degrees, {-180, 180, "degrees"},
            "How far the heading turns, counter-clockwise seen from outside.");
@@ -260,7 +260,7 @@ void members(V& v, Visited<V, Curl>& c) {
 template <class V>
 void members(V& v, Visited<V, Paint>& c) {
   v.type("Paint", "Paints a field; inverted it restores the field's default.");
-  place_members(v, c), flood_member(v, c);
+  stroke_members(v, c), flood_member(v, c);
   v.name("field", c.field, json_names::fields,
          "Field that is painted. Not direction, length or stretch, which have tools of their own.");
   v.number("value", c.value, {0, 4, "varies"},

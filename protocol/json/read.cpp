@@ -37,15 +37,15 @@ void get(const Value& value, std::optional<Tracing>& out) {
 }
 
 SurfaceSample surface_sample(Object& object) {
-  SurfaceSample place;
+  SurfaceSample sample;
   object.required("triangle",
-                  [&](const Value& v) { place.triangle = static_cast<std::uint32_t>(v.integer(uint32_range)); });
+                  [&](const Value& v) { sample.triangle = static_cast<std::uint32_t>(v.integer(uint32_range)); });
   object.required("barycentric", [&](const Value& v) {
-    place.barycentric = v.triple(share);
-    const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
+    sample.barycentric = v.triple(share);
+    const double sum = sample.barycentric.x + sample.barycentric.y + sample.barycentric.z;
     if (std::abs(sum - 1) > 1e-3) v.refuse("The barycentrics do not add up to 1.", "sum within 0.001 of 1");
   });
-  return place;
+  return sample;
 }
 
 /// Fills a struct from the members of an object.
@@ -239,8 +239,8 @@ class MemberReader {
   void special(MemberName name, T&& out, const char* = "") {
     member(name, [&](const Value& v) { get(v, out); });
   }
-  /// Reads the place of a sample: one of three forms, whose members belong to the sample itself.
-  void place(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
+  /// Reads the position of a sample: one of three forms, whose members belong to the sample itself.
+  void sample_position(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
     int forms = 0;
     member("position", [&](const Value& v) { out = PositionSample{v.triple(coordinate)}, ++forms; });
     member("screen", [&](const Value& v) { out = ScreenSample{v.pair(screen_coordinate)}, ++forms; });

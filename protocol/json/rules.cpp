@@ -167,7 +167,7 @@ void check(const Value& value, const Stroke& stroke) {
     if (i > 0 && sample.time < stroke.samples[i - 1].time) {
       value.refuse_below(name + "/time", "Time falls from one sample to the next.", "not falling");
     }
-    if (!stroke.view && std::holds_alternative<ScreenSample>(sample.place)) {
+    if (!stroke.view && std::holds_alternative<ScreenSample>(sample.position)) {
       value.refuse_below("view", "Pixel samples need the view that they were drawn on.", "required");
     }
   }

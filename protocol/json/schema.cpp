@@ -84,11 +84,11 @@ Json shapes() {
   const Json digits = {{"type", "string"}, {"pattern", "^[0-9a-f]{32}$"}};
   const Json hex = {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
   const auto triple = [](Range range) { return list_schema(number_schema("number", range), {3, 3}); };
-  const Json place =
+  const Json component =
       described(number_schema("number", coordinate), "A coordinate; within 1000000 sizes of the model's centre.");
   return {
       {"Position",
-       described(list_schema(place, {3, 3}), "A point in the model's own coordinates, right-handed with Y up.")},
+       described(list_schema(component, {3, 3}), "A point in the model's own coordinates, right-handed with Y up.")},
       {"Direction",
        described(triple(direction_part), "A vector of any length in [1e-6, 1e6]; only where it points counts.")},
       {"Barycentric", described(triple(share), "Weights of the triangle's corners; their sum is within 0.001 of 1.")},
@@ -293,8 +293,8 @@ class MemberSchemas {
     const Json boolean = {{"type", "boolean"}};
     add(name, {{"oneOf", {boolean, describe<Tracing>(all_)}}}, {}, words);
   }
-  template <class Place>
-  void place(const Place&) {
+  template <class Position>
+  void sample_position(const Position&) {
     add("position", reference("Position"), {}, "A point on the skin, in the fur or anywhere else.");
     add("screen", list_schema(number_schema("number", screen_coordinate), {2, 2}), {},
         "A pixel of the stroke's view: from the top left, y down, centres at .5.");

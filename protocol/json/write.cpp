@@ -159,13 +159,13 @@ class MemberWriter {
     json_[name.text] = form_of(value);
   }
   void special(MemberName name, const std::optional<Tracing>& value, const char* = "") { object(name, value); }
-  void place(const std::variant<PositionSample, ScreenSample, SurfaceSample>& place) {
-    if (const auto* point = std::get_if<PositionSample>(&place)) {
+  void sample_position(const std::variant<PositionSample, ScreenSample, SurfaceSample>& position) {
+    if (const auto* point = std::get_if<PositionSample>(&position)) {
       json_["position"] = list(point->position);
-    } else if (const auto* pixel = std::get_if<ScreenSample>(&place)) {
+    } else if (const auto* pixel = std::get_if<ScreenSample>(&position)) {
       json_["screen"] = list(pixel->screen);
     } else {
-      const auto& surface = std::get<SurfaceSample>(place);
+      const auto& surface = std::get<SurfaceSample>(position);
       json_["triangle"] = surface.triangle;
       json_["barycentric"] = list(surface.barycentric);
     }

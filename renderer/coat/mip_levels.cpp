@@ -80,9 +80,9 @@ glm::dvec2 between_texels(std::size_t k) {
 
 /// Returns the optical depth at a position, in texels, as the shader's bilinear filter reads it: thin strands are
 /// spread over four texels, and so occlude more.
-double filtered_depth(const std::vector<SliceTexel>& slice, int texels, glm::dvec2 place) {
-  const glm::ivec2 low(glm::floor(place));
-  const glm::dvec2 part = place - glm::dvec2(low);
+double filtered_depth(const std::vector<SliceTexel>& slice, int texels, glm::dvec2 position) {
+  const glm::ivec2 low(glm::floor(position));
+  const glm::dvec2 part = position - glm::dvec2(low);
   const auto depth = [&](int x, int y) { return static_cast<double>(slice[at(low.x + x, low.y + y, texels)].depth); };
   return glm::mix(glm::mix(depth(0, 0), depth(1, 0), part.x), glm::mix(depth(0, 1), depth(1, 1), part.x), part.y);
 }
@@ -102,8 +102,8 @@ std::vector<double> depths_of_columns(const Stack& stack, const Factors& factors
   std::vector<double> depths(static_cast<std::size_t>(std::min(texels, rays_of_tile) * std::min(texels, rays_of_tile)),
                              0.0);
   for (std::size_t i = 0; i < stack.size(); ++i) {
-    for_rays(texels, [&](std::size_t k, glm::dvec2 place) {
-      depths[k] += filtered_depth(stack[i], texels, place) * static_cast<double>(factors[i]);
+    for_rays(texels, [&](std::size_t k, glm::dvec2 position) {
+      depths[k] += filtered_depth(stack[i], texels, position) * static_cast<double>(factors[i]);
     });
   }
   return depths;
@@ -124,11 +124,11 @@ double matching_scale(const Stack& stack, const Factors& factors, int texels, do
 std::vector<double> depths_along(const std::vector<SliceTexel>& slice, int texels, double shift, std::size_t index) {
   const int parts = std::clamp(static_cast<int>(std::ceil(shift)), 1, 4);
   std::vector<double> depths;
-  for_rays(texels, [&](std::size_t, glm::dvec2 place) {
+  for_rays(texels, [&](std::size_t, glm::dvec2 position) {
     double depth = 0;
     for (int part = 0; part < parts; ++part) {
       const double height = static_cast<double>(index) + (part + 0.5) / parts;
-      depth += filtered_depth(slice, texels, place + glm::dvec2(shift * height, 0));
+      depth += filtered_depth(slice, texels, position + glm::dvec2(shift * height, 0));
     }
     depths.push_back(depth / parts);
   });
@@ -256,10 +256,10 @@ SliceLevel pack(const Stack& stack, const Factors& factors, int texels) {
   for (std::size_t i = 0; i < stack.size(); ++i) {
     const Look filler = look_of(mean_texel(stack[i]));
     for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t place = 4 * (i * count + k);
+      const std::size_t offset = 4 * (i * count + k);
       const SliceTexel& texel = stack[i][k];
       const float depth = texel.depth * factors[i];
-      store(depth, texel.light, depth > 1e-4f ? look_of(texel) : filler, &level.shape[place], &level.colour[place]);
+      store(depth, texel.light, depth > 1e-4f ? look_of(texel) : filler, &level.shape[offset], &level.colour[offset]);
     }
   }
   return level;

@@ -81,7 +81,7 @@ void to_roots(std::span<const GrownPart> parts, FloatImage& picture) {
       const auto end = std::lower_bound(ends.begin(), ends.end(), number);
       const StrandSet& set = *parts[static_cast<std::size_t>(end - ends.begin())].strands;
       const std::size_t strand = number - 1 - (*end - set.count());
-      root = {set.points[strand * static_cast<std::size_t>(set.segments + 1)].place, 1};
+      root = {set.points[strand * static_cast<std::size_t>(set.segments + 1)].position, 1};
     }
     for (int k = 0; k < 4; ++k) picture.rgba[at + static_cast<std::size_t>(k)] = root[k];
   }

@@ -34,9 +34,9 @@ struct Node {
   Real share;
 };
 HWY_INLINE Node node_at(Real at, int nodes) {
-  const Real place = clamp(at, 0.0f, 1.0f) * static_cast<float>(nodes - 1);
-  const Real low = min(floor(place), static_cast<float>(nodes - 2));
-  return {to_int(low), place - low};
+  const Real coordinate = clamp(at, 0.0f, 1.0f) * static_cast<float>(nodes - 1);
+  const Real low = min(floor(coordinate), static_cast<float>(nodes - 2));
+  return {to_int(low), coordinate - low};
 }
 
 HWY_INLINE Real lower_bfloat(Int word) { return hn::BitCast(float_tag, hn::ShiftLeft<16>(word)); }

@@ -8,8 +8,8 @@ namespace pelage {
 
 /// A position in the rest pose. `rotation` maps directions from the rest pose to the current pose.
 struct RestPosePoint {
-  glm::vec3 place{0}, normal{0, 1, 0};  // internal coordinates; the normal is unit
-  glm::mat3 rotation{1};                // a rotation
+  glm::vec3 position{0}, normal{0, 1, 0};  // internal coordinates; the normal is unit
+  glm::mat3 rotation{1};                   // a rotation
 };
 
 /// Returns the rotation from a triangle of the rest pose to the current one: it maps the first side's direction and the

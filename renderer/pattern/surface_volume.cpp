@@ -23,8 +23,8 @@ class Filler {
 
   /// Fills the eight cells around a position. `rest_pose_point(middle)` returns a cell's middle in the rest pose.
   template <class RestPose>
-  void fill_about(glm::vec3 place, const RestPose& rest_pose_point) {
-    const glm::ivec3 first(glm::floor((place - volume_.origin) / volume_.cell - 0.5f));
+  void fill_about(glm::vec3 position, const RestPose& rest_pose_point) {
+    const glm::ivec3 first(glm::floor((position - volume_.origin) / volume_.cell - 0.5f));
     for (int k = 0; k < 8; ++k) fill(first + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), rest_pose_point);
   }
 
@@ -107,10 +107,11 @@ SurfaceVolume make_surface_volume(const VolumeSurface& surface, const VolumeValu
     const Corners corners(surface, t);
     for_each_point(corners.positions, 0.5f * volume.cell, [&](glm::vec3 share) {
       const RestPosePoint rest = corners.rest_pose_point(share);
-      const glm::vec3 place = mixed(corners.positions, share);
-      filler.fill_about(place, [&](glm::vec3 middle) {
+      const glm::vec3 position = mixed(corners.positions, share);
+      filler.fill_about(position, [&](glm::vec3 middle) {
         if (!corners.moved) return RestPosePoint{middle, rest.normal};
-        return RestPosePoint{rest.place + glm::transpose(rest.rotation) * (middle - place), rest.normal, rest.rotation};
+        return RestPosePoint{rest.position + glm::transpose(rest.rotation) * (middle - position), rest.normal,
+                             rest.rotation};
       });
     });
   }

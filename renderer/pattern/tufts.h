@@ -19,7 +19,7 @@ TuftPull tuft_at(const Tufts& tufts, glm::vec3 root, glm::vec3 normal);
 
 /// The same for a root on a surface that has moved: `to_middle` is in the current pose.
 inline TuftPull tuft_at(const Tufts& tufts, const RestPosePoint& root) {
-  TuftPull tuft = tuft_at(tufts, root.place, root.normal);
+  TuftPull tuft = tuft_at(tufts, root.position, root.normal);
   tuft.to_middle = root.rotation * tuft.to_middle;
   return tuft;
 }

@@ -23,9 +23,9 @@ struct CellBox {
 };
 
 /// Returns the cells that a box touches.
-CellBox cells_of(const GridLayout& place, glm::vec3 low, glm::vec3 high) {
+CellBox cells_of(const GridLayout& layout, glm::vec3 low, glm::vec3 high) {
   const auto cell_of = [&](glm::vec3 at) {
-    return glm::clamp(glm::ivec3(glm::floor((at - place.low) / place.cell)), glm::ivec3(0), place.size - 1);
+    return glm::clamp(glm::ivec3(glm::floor((at - layout.low) / layout.cell)), glm::ivec3(0), layout.size - 1);
   };
   const glm::ivec3 first = cell_of(low);
   return {first, cell_of(high) - first + 1};
@@ -73,8 +73,8 @@ struct PartChange {
 /// turns of the strands that curl with it. 1 for a straight strand.
 float exposed_share(std::span<const StrandPoint> points) {
   float path = 0;
-  for (std::size_t k = 1; k < points.size(); ++k) path += glm::distance(points[k - 1].place, points[k].place);
-  const float reach = glm::distance(points.front().place, points.back().place);
+  for (std::size_t k = 1; k < points.size(); ++k) path += glm::distance(points[k - 1].position, points[k].position);
+  const float reach = glm::distance(points.front().position, points.back().position);
   return 1 / (1 + curl_in_shadow * std::max(path / std::max(reach, 0.02f * path + 1e-9f) - 1, 0.0f));
 }
 
@@ -82,7 +82,7 @@ float exposed_share(std::span<const StrandPoint> points) {
 class PartCells {
  public:
   /// `named`: add() also returns the cells that any strand touches, even one that is not summed.
-  PartCells(const GridLayout& place, bool named) : layout_(place), named_(named) {}
+  PartCells(const GridLayout& layout, bool named) : layout_(layout), named_(named) {}
 
   /// Adds the strands of a change to the grid's cells; several threads may do this at a time. `sign` is -1 for strands
   /// that are removed. With `named`, appends the cells that they touch to `touched`.
@@ -112,7 +112,7 @@ class PartCells {
   }
 
   void add_segment(const StrandPoint& a, const StrandPoint& b, float share) {
-    const glm::vec3 path = b.place - a.place;
+    const glm::vec3 path = b.position - a.position;
     const float length = glm::length(path), over = 1 / layout_.cell;
     const int steps = std::clamp(static_cast<int>(std::min(std::ceil(length * over), 1e6f)), 1, max_segment_steps);
     const float step = 1 / static_cast<float>(steps);
@@ -124,7 +124,7 @@ class PartCells {
     const std::int64_t along = to_fixed(width * length);
     const std::int64_t x = to_fixed(width * path.x), y = to_fixed(width * path.y), z = to_fixed(width * path.z);
     for (int s = 0; s < steps; ++s) {
-      const glm::vec3 at = a.place + path * ((static_cast<float>(s) + 0.5f) * step);
+      const glm::vec3 at = a.position + path * ((static_cast<float>(s) + 0.5f) * step);
       std::array<std::int64_t, 4>& sum = sums_[index_of(at, over)].sum;
       sum[0] += along, sum[1] += x, sum[2] += y, sum[3] += z;
     }
@@ -140,9 +140,9 @@ class PartCells {
   void hand_over(int sign, std::vector<CellDensity>& cells, std::vector<glm::ivec3>& touched) {
     for (const std::uint32_t index : touched_) {
       const int at = static_cast<int>(index), across = size_.x, down = size_.y;
-      const glm::ivec3 place = first_ + glm::ivec3(at % across, at / across % down, at / (across * down));
-      if (named_) touched.push_back(place);
-      CellDensity& cell = cells[layout_.index(place)];
+      const glm::ivec3 position = first_ + glm::ivec3(at % across, at / across % down, at / (across * down));
+      if (named_) touched.push_back(position);
+      CellDensity& cell = cells[layout_.index(position)];
       const CellDensity sums = std::exchange(sums_[index], {});
       for (std::size_t i = 0; i < cell.sum.size(); ++i)
         std::atomic_ref(cell.sum[i]).fetch_add(sign * sums.sum[i], std::memory_order_relaxed);
@@ -192,8 +192,8 @@ void DensityGrid::each_block(glm::ivec3 first, glm::ivec3 last, const Use& use) 
       for (int x = first.x; x <= last.x; ++x) use(glm::ivec3(x, y, z));
 }
 
-void DensityGrid::reset(const GridLayout& place, std::size_t parts) {
-  layout_ = place;
+void DensityGrid::reset(const GridLayout& layout, std::size_t parts) {
+  layout_ = layout;
   density_.assign(layout_.count(), {}), summed_parts_.assign(parts, {});
   lights_.clear();
   blocks_ = (layout_.size + block_side - 1) / block_side;
@@ -324,8 +324,8 @@ void DensityGrid::update(const FurModel& model, std::span<const GrownPart> parts
   update_lights(model, lights, changed, threads);
 }
 
-glm::ivec3 DensityGrid::block_of(glm::vec3 place) const {
-  const glm::ivec3 block(glm::floor((place - layout_.low) / (layout_.cell * block_side)));
+glm::ivec3 DensityGrid::block_of(glm::vec3 position) const {
+  const glm::ivec3 block(glm::floor((position - layout_.low) / (layout_.cell * block_side)));
   return glm::clamp(block, glm::ivec3(0), blocks_ - 1);
 }
 

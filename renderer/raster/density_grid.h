@@ -41,7 +41,7 @@ class DensityGrid {
   /// are too thin for cells. Deterministic for any number of threads, with the same bits as in a new grid.
   void update(const FurModel& model, std::span<const GrownPart> parts, std::span<const FurLight> lights, int threads);
 
-  const GridLayout& place() const { return layout_; }
+  const GridLayout& layout() const { return layout_; }
   /// Returns the density of each cell, without curves.
   std::span<const CellDensity> density() const { return density_; }
   /// Returns what a light crosses on its way to each cell.
@@ -77,9 +77,9 @@ class DensityGrid {
   void mark_skin(const GrownPart& part);
   void mark_light(std::span<const std::uint32_t> cells);
   void find_skin(const FurModel& model);
-  void reset(const GridLayout& place, std::size_t parts);
+  void reset(const GridLayout& layout, std::size_t parts);
   void update_lights(const FurModel& model, std::span<const FurLight> lights, const CellRows& changed, int threads);
-  glm::ivec3 block_of(glm::vec3 place) const;
+  glm::ivec3 block_of(glm::vec3 position) const;
   /// Calls use(block) for each block from `first` to `last`, both included.
   template <class Use>
   static void each_block(glm::ivec3 first, glm::ivec3 last, const Use& use);

@@ -49,13 +49,13 @@ void add_to_cells(std::span<const StrandPoint> points, float cell, std::vector<s
   const float over = 1 / cell;
   for (std::size_t k = 1; k < points.size(); ++k) {
     const StrandPoint &a = points[k - 1], &b = points[k];
-    const glm::vec3 segment = b.place - a.place;
+    const glm::vec3 segment = b.position - a.position;
     const float length = glm::length(segment);
     const float steps = std::clamp(std::ceil(length * over), 1.0f, 1024.0f), step = 1 / steps;
     const float covered = NearCells::one * (a.radius + b.radius) * length * over * over * step;
     const auto added = static_cast<std::uint16_t>(std::clamp(covered, 0.0f, max_near_step) + 0.5f);
     for (float s = 0.5f; s < steps; ++s) {
-      const glm::vec3 at = glm::clamp((a.place + segment * (s * step)) * over, glm::vec3(-1e9f), glm::vec3(1e9f));
+      const glm::vec3 at = glm::clamp((a.position + segment * (s * step)) * over, glm::vec3(-1e9f), glm::vec3(1e9f));
       std::atomic_ref(cells[index_of(at)]).fetch_add(added, std::memory_order_relaxed);
     }
   }

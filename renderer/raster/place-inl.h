@@ -47,8 +47,8 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
   PlacedLanes placed{far, -far, far, -far, none, none, none, none, none, none, Vec3(none), Vec3(none)};
   Real before_x = 0.0f, before_y = 0.0f, root_x = 0.0f, root_y = 0.0f;
   for (int k = 0; k <= set.segments; ++k) {
-    const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
-    const Vec3 place{point.real(0), point.real(1), point.real(2)}, apart = place - Vec3(camera.position);
+    const Quad point = gather_quad(&set.points[0].position.x + 4 * k, rows);
+    const Vec3 position{point.real(0), point.real(1), point.real(2)}, apart = position - Vec3(camera.position);
     const Real distance = dot(apart, Vec3(camera.forward));
     const Mask seen = distance > near_distance;
     const Real inverse = 1.0f / max(distance, near_distance), scale = inverse * camera.scale;
@@ -57,14 +57,14 @@ HWY_INLINE PlacedLanes place_lanes(const PictureCamera& camera, const StrandSet&
     const Real half = point.real(3) * inverse * wider;
     store(x, knots.x[k]), store(y, knots.y[k]), store(half, knots.half_width[k]);
     store(select(seen, inverse, 0.0f), knots.inverse[k]);
-    if (k == 0) placed.root = place, root_x = x, root_y = y;
+    if (k == 0) placed.root = position, root_x = x, root_y = y;
     if (k > 0) {
       const Real segment = length(Vec2{x - before_x, y - before_y});
       placed.arc_length += segment, placed.longest = max(placed.longest, segment);
-      placed.length += length(place - placed.tip);
+      placed.length += length(position - placed.tip);
     }
     placed.widest = max(placed.widest, half);
-    before_x = x, before_y = y, placed.tip = place;
+    before_x = x, before_y = y, placed.tip = position;
     placed.left = select(seen, min(placed.left, x - half), placed.left);
     placed.right = select(seen, max(placed.right, x + half), placed.right);
     placed.top = select(seen, min(placed.top, y - half), placed.top);
@@ -274,17 +274,17 @@ HWY_INLINE void place_all(const RasterScene& scene, const GrownPart& part, const
 // Which strands may look different, and where they lie on the picture; a strand a lane.
 
 /// Returns the BlockChange bits of all blocks that contain a knot of each lane's strand.
-HWY_INLINE Int changed_lanes(const BlockLayout& place, std::span<const std::int32_t> blocks, const StrandSet& set,
+HWY_INLINE Int changed_lanes(const BlockLayout& layout, std::span<const std::int32_t> blocks, const StrandSet& set,
                              const std::uint32_t* ids) {
   const Int rows = strand_rows(ids, (set.segments + 1) * 4);
   Int changed = splat(0);
   for (int k = 0; k <= set.segments; ++k) {
-    const Quad point = gather_quad(&set.points[0].place.x + 4 * k, rows);
-    const Vec3 at = (Vec3{point.real(0), point.real(1), point.real(2)} - Vec3(place.low)) * (1 / place.side);
+    const Quad point = gather_quad(&set.points[0].position.x + 4 * k, rows);
+    const Vec3 at = (Vec3{point.real(0), point.real(1), point.real(2)} - Vec3(layout.low)) * (1 / layout.side);
     const auto block = [](Real along, int count)
                            HWY_ATTR { return to_int(clamp(along, 0.0f, static_cast<float>(count) - 0.5f)); };
-    const Int row = hn::Add(hn::Mul(block(at.z, place.count.z), splat(place.count.y)), block(at.y, place.count.y));
-    const Int index = hn::Add(hn::Mul(row, splat(place.count.x)), block(at.x, place.count.x));
+    const Int row = hn::Add(hn::Mul(block(at.z, layout.count.z), splat(layout.count.y)), block(at.y, layout.count.y));
+    const Int index = hn::Add(hn::Mul(row, splat(layout.count.x)), block(at.x, layout.count.x));
     changed = hn::Or(changed, gather(blocks.data(), index));
   }
   return changed;

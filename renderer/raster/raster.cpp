@@ -247,7 +247,7 @@ struct Raster::Cache {
 
   void update_sky(const FurModel& model, float height, int threads) {
     if (sky_of == grid.fur_version() && sky_height == height) return;
-    sky = sky_over_ground(grid.place(), grid.density(), model, height, threads);
+    sky = sky_over_ground(grid.layout(), grid.density(), model, height, threads);
     sky_of = grid.fur_version(), sky_height = height;
   }
 };

@@ -44,7 +44,8 @@ struct SceneLight : FrameLight, FibreScattering {
         light_count(static_cast<Index>(of.optics.lights)),
         grid_there(of.grid),
         near_there(of.near && !of.near->cells().empty()) {
-    if (of.grid) grid_low = of.grid->place().low, grid_cell = of.grid->place().cell, grid_size = of.grid->place().size;
+    if (of.grid)
+      grid_low = of.grid->layout().low, grid_cell = of.grid->layout().cell, grid_size = of.grid->layout().size;
     if (near_there) near_cell = of.near->cell(), near_mean = of.near->mean();
     if (!of.ground) return;
     ground_height = of.ground->height, ground_contact = of.ground->contact, ground_shadow = of.ground->shadow;

@@ -65,8 +65,8 @@ struct LightAlong {
     return beyond ? hn::Sub(here, hn::LoadU(tag, &(light - 1)->x)) : here;
   }
   /// Returns the weight of a point's light at a position at most one away from it; that of the tip stays 1 beyond it.
-  HWY_INLINE float share_of(int point, float place) const {
-    const float after = place - static_cast<float>(point);
+  HWY_INLINE float share_of(int point, float coordinate) const {
+    const float after = coordinate - static_cast<float>(point);
     const bool is_tip = point + 1 == static_cast<int>(points.size());
     return after > 0 && is_tip ? 1 : std::max(1 - std::abs(after), 0.0f);
   }
@@ -101,16 +101,17 @@ class SegmentLight {
  private:
   static constexpr ColourTag tag{};
 
-  HWY_INLINE void add(float place, float share, Colour colour) {
-    while (place >= static_cast<float>(low_ + 1) && low_ + 1 < static_cast<int>(light_.points.size())) next_point();
-    const auto of_point = [&](int point) { return hn::Set(tag, share * light_.share_of(point, place)); };
+  HWY_INLINE void add(float coordinate, float share, Colour colour) {
+    while (coordinate >= static_cast<float>(low_ + 1) && low_ + 1 < static_cast<int>(light_.points.size()))
+      next_point();
+    const auto of_point = [&](int point) { return hn::Set(tag, share * light_.share_of(point, coordinate)); };
     mean_ = hn::MulAdd(colour, of_point(low_), mean_);
     next_mean_ = hn::MulAdd(colour, of_point(low_ + 1), next_mean_);
   }
 
   /// Adds the light of the point `low_` to both ends, and goes on to the next point.
   HWY_INLINE void next_point() {
-    const auto half = [this](float place) { return hn::Set(tag, 0.5f * light_.share_of(low_, place)); };
+    const auto half = [this](float coordinate) { return hn::Set(tag, 0.5f * light_.share_of(low_, coordinate)); };
     const Colour at_own =
         hn::MulSub(begin_colour_, half(begin_coordinate_), hn::Mul(end_colour_, half(end_coordinate_)));
     const Colour tilt = hn::Clamp(at_own, hn::Neg(mean_), mean_), light = light_.light_of(low_);

@@ -23,8 +23,8 @@ struct FlatTriangle {
   std::uint32_t triangle = 0;
 };
 
-glm::dvec3 in_camera(const PictureCamera& camera, glm::vec3 place) {
-  const glm::dvec3 apart(place - camera.position);
+glm::dvec3 in_camera(const PictureCamera& camera, glm::vec3 position) {
+  const glm::dvec3 apart(position - camera.position);
   return {glm::dot(apart, glm::dvec3(camera.right)), glm::dot(apart, glm::dvec3(camera.up)),
           glm::dot(apart, glm::dvec3(camera.forward))};
 }

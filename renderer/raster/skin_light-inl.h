@@ -70,10 +70,10 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   corners.triangle = hn::LoadU(int_tag, reinterpret_cast<const std::int32_t*>(seen.triangle + at));
   const Int first = hn::Mul(corners.triangle, splat(3));
   const auto* vertices = reinterpret_cast<const std::int32_t*>(model.triangles.data());
-  Vec3 place[3], normal[3];
+  Vec3 positions[3], normal[3];
   for (int k = 0; k < 3; ++k) {
     const Int vertex = hn::Mul(gather(vertices + k, first), splat(3));
-    place[k] = gather_vec3(&model.positions[0].x, vertex), normal[k] = gather_vec3(&model.normals[0].x, vertex);
+    positions[k] = gather_vec3(&model.positions[0].x, vertex), normal[k] = gather_vec3(&model.normals[0].x, vertex);
     const float* shading = corner_floats(model, offsetof(FurCorner, normal)) + k * corner_stride;
     const Vec3 other = gather_vec3(shading, hn::Mul(corners.triangle, splat(3 * corner_stride)));
     normal[k] = select(dot(other, other) > 0.0f, other, normal[k]);
@@ -81,12 +81,13 @@ HWY_INLINE SkinLanes skin_lanes(const RasterScene& scene, const SkinSeen& seen, 
   const Vec3 ray = ray_through(scene.camera, load(seen.x + at), load(seen.y + at));
   const Real distance = 1.0f / max(load(seen.inverse + at), 1e-20f), size = length(ray);
   SceneLight::SkinPoint skin;
-  skin.place = Vec3(scene.camera.position) + ray * distance, skin.to_camera = ray * (-1.0f / size);
+  skin.position = Vec3(scene.camera.position) + ray * distance, skin.to_camera = ray * (-1.0f / size);
   skin.pixel = scene.optics.frame.viewpoint.w * scene.oversampling * distance * size;
-  const Vec3 across = cross(place[1] - place[0], place[2] - place[0]);
+  const Vec3 across = cross(positions[1] - positions[0], positions[2] - positions[0]);
   const Real square = max(dot(across, across), 1e-30f);
-  corners.b = clamp(dot(cross(skin.place - place[0], place[2] - place[0]), across) / square, 0.0f, 1.0f);
-  corners.c = clamp(dot(cross(place[1] - place[0], skin.place - place[0]), across) / square, 0.0f, 1.0f - corners.b);
+  corners.b = clamp(dot(cross(skin.position - positions[0], positions[2] - positions[0]), across) / square, 0.0f, 1.0f);
+  corners.c = clamp(dot(cross(positions[1] - positions[0], skin.position - positions[0]), across) / square, 0.0f,
+                    1.0f - corners.b);
   skin.normal = unit(normal[0] + corners.b * (normal[1] - normal[0]) + corners.c * (normal[2] - normal[0]));
   skin.normal = select(dot(across, ray) > 0.0f, -skin.normal, skin.normal);
   skin.colour = own_colour(scene, corners, skin.pixel, sqrt(square));

@@ -28,7 +28,7 @@ HWY_INLINE Vec3 unpacked_colour(Int word) {
 
 /// The lit points of strands, and what all points of a strand share.
 struct StrandLanes {
-  Vec3 place[LitPoints::max], tangent[LitPoints::max];
+  Vec3 position[LitPoints::max], tangent[LitPoints::max];
   Int colour[LitPoints::max];
   Real height[LitPoints::max];
   Vec3 normal, ambient;
@@ -51,13 +51,13 @@ struct LitKnots {
 };
 
 HWY_INLINE Vec3 knot_position(const StrandSet& set, Int rows, int knot) {
-  const Quad point = gather_quad(&set.points[0].place.x + 4 * knot, rows);
+  const Quad point = gather_quad(&set.points[0].position.x + 4 * knot, rows);
   return {point.real(0), point.real(1), point.real(2)};
 }
 
 /// Returns 1 for a coat no higher than a cell, falling to 0 at two and a half cells.
 HWY_INLINE Real thinness(const RasterScene& scene, const DepthLanes& depth) {
-  const float cell = scene.grid->place().cell;
+  const float cell = scene.grid->layout().cell;
   const Real height = dot(depth.tip - depth.root, depth.normal) / max(depth.reach, 0.01f);
   return 1.0f - smoothstep(1.0f * cell, 2.5f * cell, height);
 }
@@ -75,11 +75,11 @@ HWY_INLINE StrandLanes strand_lanes(const RasterScene& scene, const GrownPart& p
   StrandLanes strand;
   for (int p = 0; p < lit.count; ++p) {
     const int k = lit.knot(p);
-    strand.place[p] = knot_position(set, rows, k);
+    strand.position[p] = knot_position(set, rows, k);
     strand.tangent[p] =
         unit(knot_position(set, rows, std::min(k + 1, segments)) - knot_position(set, rows, std::max(k - 1, 0)));
     strand.colour[p] = gather(reinterpret_cast<const std::int32_t*>(set.colours.data()) + k, knots);
-    arc_length += length(strand.place[p] - before), before = strand.place[p];
+    arc_length += length(strand.position[p] - before), before = strand.position[p];
   }
   const DepthLanes depth = depth_lanes(set, ids, root, before, arc_length);
   for (int p = 0; p < lit.count; ++p)
@@ -96,8 +96,8 @@ HWY_INLINE Fibre fibre_at(const FrameOptics& optics, const PictureCamera& camera
                           int point) {
   const FrameBlock& frame = optics.frame;
   Fibre fibre;
-  fibre.place = strand.place[point], fibre.normal = strand.normal, fibre.tangent = strand.tangent[point];
-  fibre.to_camera = unit(Vec3(camera.position) - fibre.place);
+  fibre.position = strand.position[point], fibre.normal = strand.normal, fibre.tangent = strand.tangent[point];
+  fibre.to_camera = unit(Vec3(camera.position) - fibre.position);
   fibre.colour = clamp(unpacked_colour(strand.colour[point]), 0.0f, 1.0f);
   fibre.height = strand.height[point];
   fibre.number = strand.number, fibre.shine = strand.shine;

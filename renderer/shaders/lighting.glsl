@@ -58,13 +58,13 @@ vec3 fibre_light(Fibre fibre, vec4 hull) {
   FibreViewTerms view_terms;
   if (scatters_fibres(SHADING_MODEL)) view_terms = fibre_view_terms(fibre);
   for (uint i = 0; i < LIGHTS; ++i) {
-    Arriving light = light_at(i, fibre.place);
+    Arriving light = light_at(i, fibre.position);
     float facing = dot(fibre.normal, light.to_light), path = exit_path_length(fibre.height, facing);
     float crossed = strands_crossed(fibre.above, path, fibre.tangent, light.to_light);
     float strands = strands_not_shared(fibre, view, light.to_light, path, crossed);
 #ifdef SHADOW_MAPS
-    strands = shell_depth(int(i), fibre.place, hull, fibre.height, facing, strands);
-    light.radiance *= cast_visibility(int(i), fibre.place, hull, fibre.normal);
+    strands = shell_depth(int(i), fibre.position, hull, fibre.height, facing, strands);
+    light.radiance *= cast_visibility(int(i), fibre.position, hull, fibre.normal);
 #endif
     sum += light.radiance * scatter(SHADING_MODEL, fibre, view_terms, light.to_light) * transmittance(strands, fibre.crossed) *
            backlight_fade(SHADING_MODEL, facing, frame.exponents.z);

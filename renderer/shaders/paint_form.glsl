@@ -18,10 +18,10 @@ float strand_share(vec2 at, int slice, float sharp) {
   for (int k = 0; k < 4; ++k) {
     ivec2 corner = ivec2(k & 1, k >> 1);
     vec2 near = mix(1.0 - part, part, vec2(corner));
-    ivec3 place = ivec3((low + corner) & (size - 1), slice);
-    float depth = near.x * near.y * texelFetch(shapes, place, lod).a;
+    ivec3 coordinates = ivec3((low + corner) & (size - 1), slice);
+    float depth = near.x * near.y * texelFetch(shapes, coordinates, lod).a;
     all += depth;
-    if (texelFetch(colours, place, lod).a < amounts.x) remaining += depth;
+    if (texelFetch(colours, coordinates, lod).a < amounts.x) remaining += depth;
   }
   return remaining / all;
 }
@@ -56,8 +56,8 @@ vec2 clump_slope(float s) {
 // Returns the angle of painted curls at height s. The phase varies so slowly over the tile that neighbouring strands
 // curl together and do not cross.
 float curl_angle(float s) {
-  vec2 place = 6.2831853 * tile;
-  return 6.2831853 * paint_block.coat.z * s + 2.2 * (sin(place.x + 0.7) + sin(place.y + 2.1));
+  vec2 angles = 6.2831853 * tile;
+  return 6.2831853 * paint_block.coat.z * s + 2.2 * (sin(angles.x + 0.7) + sin(angles.y + 2.1));
 }
 
 // Returns the radius that paint adds to the coat's own curl, sizes; their sum is limited to max_curl.

@@ -3,7 +3,7 @@
 #include "constants.glsl"
 layout(std140, binding = shadow_binding) uniform ShadowBlock {
   mat4 to_light[max_lights];
-  vec4 axis[max_lights];   // linear depth: dot(xyz, place) + w, sizes
+  vec4 axis[max_lights];   // linear depth: dot(xyz, position) + w, sizes
   vec4 slots[max_lights];  // slot of the shell maps (-1: none), slot of the depth map (-1: none), edge of the cast shadow
                            // (0 hard, 1 soft, 2 penumbra), its scale or the light's spread (-1: casts none)
 } shadow;
@@ -21,14 +21,14 @@ const float penumbra_bias = 0.003;   // sizes
 const float min_fold = 0.017;     // sizes; depth to which short fur may lie under the hull of long fur beside it
 const float furthest_caster = 0.35;  // sizes; a penumbra does not get wider for casters further away
 
-vec2 map_uv(int i, vec3 place) {
-  vec4 clip = shadow.to_light[i] * vec4(place, 1.0);
+vec2 map_uv(int i, vec3 position) {
+  vec4 clip = shadow.to_light[i] * vec4(position, 1.0);
   return vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5;
 }
 
 // Returns how far behind the depth map a position lies as seen from the light, sizes.
-float depth_below(int i, vec3 place, vec2 at) {
-  return dot(shadow.axis[i].xyz, place) + shadow.axis[i].w - texture(depth_maps, vec3(at, shadow.slots[i].y)).r;
+float depth_below(int i, vec3 position, vec2 at) {
+  return dot(shadow.axis[i].xyz, position) + shadow.axis[i].w - texture(depth_maps, vec3(at, shadow.slots[i].y)).r;
 }
 
 
@@ -36,13 +36,13 @@ float depth_below(int i, vec3 place, vec2 at) {
 // (GPU fur 4). Where three bars cross, the map is white on both sides of a shadow's edge: under the first bar the
 // second is dark, and beside it the third is. So white is weighted by how far its own caster lies in front of the
 // position, over how far the caster in the depth map does.
-float body_visibility(int i, vec3 place) {
-  vec2 at = map_uv(i, place);
-  float below = depth_below(i, place, at);
+float body_visibility(int i, vec3 position) {
+  vec2 at = map_uv(i, position);
+  float below = depth_below(i, position, at);
   if (below <= cast_bias) return 1.0;
   if (shadow.slots[i].z < 0.5) return 0.0;
   vec2 nearby = texture(width_maps, vec3(at, shadow.slots[i].y)).rg;
-  float depth = dot(shadow.axis[i].xyz, place) + shadow.axis[i].w;
+  float depth = dot(shadow.axis[i].xyz, position) + shadow.axis[i].w;
   float white = clamp((nearby.x * depth - nearby.y) / below, 0.0, nearby.x);  // 0.5 at the edge
   float width = shadow_width * max(2.0 * white - 1.0, 0.0);
   float fade = smoothstep(cast_bias, 3.0 * cast_bias, below);
@@ -60,14 +60,14 @@ struct LightDisc {
   float clearance;      // distance in front of the skin's plane within which nothing occludes
 };
 
-LightDisc light_disc(int i, vec3 place, vec3 normal, float clearance) {
+LightDisc light_disc(int i, vec3 position, vec3 normal, float clearance) {
   mat4 to_clip = shadow.to_light[i];
-  vec4 clip = to_clip * vec4(place, 1.0);
+  vec4 clip = to_clip * vec4(position, 1.0);
   clip.w = max(clip.w, 1e-4);  // for positions that the light does not see
   vec3 right = vec3(to_clip[0].x, to_clip[1].x, to_clip[2].x), up = vec3(to_clip[0].y, to_clip[1].y, to_clip[2].y);
   float scale = length(right), facing = -dot(normal, shadow.axis[i].xyz), per_size = 0.5 * scale / clip.w;
   vec2 slope = facing > 0.0 ? vec2(dot(normal, right), dot(normal, up)) / (scale * max(facing, 0.2)) : vec2(0.0);
-  return LightDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, place) + shadow.axis[i].w,
+  return LightDisc(vec2(0.5, -0.5) * (clip.xy / clip.w) + 0.5, dot(shadow.axis[i].xyz, position) + shadow.axis[i].w,
                   shadow.slots[i].w / clip.w, per_size, 1.0 / (per_size * float(textureSize(depth_maps, 0).x)), slope, clearance);
 }
 
@@ -106,24 +106,24 @@ bool is_penumbra(int i) { return shadow.slots[i].z > 1.5; }
 
 // Returns the share of light i that gets past other parts of the body and guided curves, to skin of that normal or to
 // fur on it. `hull`: position and height of the fur's hull.
-float cast_visibility(int i, vec3 place, vec4 hull, vec3 normal) {
+float cast_visibility(int i, vec3 position, vec4 hull, vec3 normal) {
   if (shadow.slots[i].w < 0.0 || shadow.slots[i].y < 0.0) return 1.0;
-  float transmitted = is_penumbra(i) ? body_visibility_in_penumbra(i, hull, normal) : body_visibility(i, place);
+  float transmitted = is_penumbra(i) ? body_visibility_in_penumbra(i, hull, normal) : body_visibility(i, position);
   return transmitted;
 }
 
 // Returns the optical depth of the shells above a position. Returns `estimate` where the map shows another part of the
 // body, or where the surface is so oblique to the light that its shells leave no trace on the map. `facing` is N.L.
-float shell_depth(int i, vec3 place, vec4 hull, float height, float facing, float estimate) {
+float shell_depth(int i, vec3 position, vec4 hull, float height, float facing, float estimate) {
   float slot = shadow.slots[i].x;
   if (slot < 0.0) return estimate;
-  vec2 at = map_uv(i, place);
+  vec2 at = map_uv(i, position);
   const float shells = float(shadow_shells);
   float height_in_shells = min(height + own_part, 1.0) * shells, low = min(floor(height_in_shells), shells - 1.0);
   float first = slot * (shells + 1.0);
   float transmitted = mix(texture(shell_maps, vec3(at, first + low)).r,
                    texture(shell_maps, vec3(at, first + min(low + 1.0, shells))).r, height_in_shells - low);
-  vec3 on_map = is_penumbra(i) ? hull.xyz : place;
+  vec3 on_map = is_penumbra(i) ? hull.xyz : position;
   float below = depth_below(i, on_map, map_uv(i, on_map));
   return mix(-log(max(transmitted, 1e-3)), estimate, max(smoothstep(cast_bias, 2.0 * cast_bias, below), 1.0 - smoothstep(0.05, 0.35, facing)));
 }

@@ -7,7 +7,7 @@ uniform int shell_count;
 uniform int shell;
 uniform int shell_side;  // 1: seen from outside, the top of the slab is in front; -1: from inside
 
-in vec3 place;
+in vec3 world_position;
 in vec3 fibre_normal;
 in vec2 tile;
 in vec2 pixel_speed;
@@ -38,7 +38,7 @@ float dense_here;
 
 float density_here() {
   float on_tile = abs(determinant(mat2(dFdx(tile), dFdy(tile)))) / (frame.tile.x * frame.tile.x);
-  float area = abs(dot(cross(dFdx(place), dFdy(place)), fibre_normal));
+  float area = abs(dot(cross(dFdx(world_position), dFdy(world_position)), fibre_normal));
   return clamp(on_tile / max(area, 1e-30), 0.16, 1.7);  // folds would give any value
 }
 

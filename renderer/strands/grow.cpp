@@ -243,7 +243,7 @@ void Grower::Impl::append(const MovingTriangle& triangle, const TileCopy& copy, 
     const float s = tile.along(k) * standing.reach;
     const float radius = std::max(wider * tile.radius(copy.strand, k), min_strand_radius);
     const auto point = [&](const FurTriangle& of) {
-      return StrandPoint{root.place + standing.stretch * of.curves().at(share, s) + standing.sideways[i], radius};
+      return StrandPoint{root.position + standing.stretch * of.curves().at(share, s) + standing.sideways[i], radius};
     };
     set.points[first + i] = point(triangle.opening);
     if (triangle.closing) set.closing.push_back(point(*triangle.closing));
@@ -355,7 +355,7 @@ void Grower::bend(const StrandChunk& chunk, StrandSet& set) const {
     const glm::vec2 share = glm::vec2(root.share[0], root.share[1]) / 65535.0f;
     const glm::vec3 shares(1 - share.x - share.y, share);
     for (int k = 0; k <= set.segments; ++k, ++point)
-      point->place += root.stretch * curves.at(shares, grower.tile.along(k) * root.reach);
+      point->position += root.stretch * curves.at(shares, grower.tile.along(k) * root.reach);
   }
 }
 
@@ -424,8 +424,8 @@ StrandSet grow_curves(std::span<const FurCurves> curves) {
     const CurveStyle& style = strips.styles[i];
     for (int k = 0; k <= curve_segments; ++k) {
       const glm::vec4 look = glm::mix(style.root, style.tip, static_cast<float>(k) / curve_segments);
-      const glm::vec3 place = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
-      set.points.push_back({place, std::max(0.5f * look.w, min_strand_radius)});
+      const glm::vec3 position = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
+      set.points.push_back({position, std::max(0.5f * look.w, min_strand_radius)});
       set.colours.push_back(pack_colour(glm::vec3(look)));
     }
     set.roots.push_back({.normal = glm::vec3(style.normal), .number = style.normal.w});

@@ -48,10 +48,10 @@ void find_bounds(const FurModel& model, std::span<const std::uint32_t> triangles
   float length = 0, longest = 0;
   for (std::size_t i = 0; i < set.points.size(); ++i) {
     const StrandPoint& point = set.points[i];
-    part.low = glm::min(part.low, point.place - point.radius);
-    part.high = glm::max(part.high, point.place + point.radius);
+    part.low = glm::min(part.low, point.position - point.radius);
+    part.high = glm::max(part.high, point.position + point.radius);
     part.thickest = std::max(part.thickest, point.radius);
-    length = i % knots == 0 ? 0 : length + glm::length(point.place - set.points[i - 1].place);
+    length = i % knots == 0 ? 0 : length + glm::length(point.position - set.points[i - 1].position);
     longest = std::max(longest, length);
   }
   constexpr float step = 1.0f / 32;
@@ -63,11 +63,11 @@ void add_bend(const TriangleBend& bend, const LeanTable& leans, float stretch, g
   constexpr std::size_t step = lean_cells / 4;  // offsets grow with the height, so a few heights suffice
   for (const auto& [still, moved] : bend) {
     for (std::size_t k = step; k <= lean_cells; k += step) {
-      const auto place = [&](const CornerLean& lean) {
-        const glm::vec2 at = leans.knot(lean.inclination, k).place;
+      const auto offset = [&](const CornerLean& lean) {
+        const glm::vec2 at = leans.knot(lean.inclination, k).position;
         return lean.length * (at.x * lean.direction + at.y * lean.normal);
       };
-      const glm::vec3 direction = stretch * (place(moved) - place(still));
+      const glm::vec3 direction = stretch * (offset(moved) - offset(still));
       low = glm::min(low, direction), high = glm::max(high, direction);
     }
   }

@@ -26,7 +26,7 @@ LeanKnot LeanTable::knot(float inclination, std::size_t k) const {
   const float at = std::clamp(inclination, 0.0f, 1.0f) * inclinations;
   const auto low = std::min(static_cast<std::size_t>(at), rows_.size() - 2);
   const float part = at - static_cast<float>(low);
-  return {glm::mix(rows_[low][k].place, rows_[low + 1][k].place, part),
+  return {glm::mix(rows_[low][k].position, rows_[low + 1][k].position, part),
           glm::mix(rows_[low][k].slope, rows_[low + 1][k].slope, part)};
 }
 
@@ -67,8 +67,8 @@ RootFields corner_fields(const FurModel& model, std::span<const FurVertex> verti
   const FurCorner& fur_corner = model.corners[index][static_cast<std::size_t>(corner)];
   const bool moved = !model.rest_positions.empty();
   RootFields root;
-  root.place = model.positions[v], root.normal = model.normals[v];
-  root.rest.place = moved ? model.rest_positions[v] : root.place;
+  root.position = model.positions[v], root.normal = model.normals[v];
+  root.rest.position = moved ? model.rest_positions[v] : root.position;
   root.rest.normal = moved ? model.rest_normals[v] : root.normal;
   root.length = vertices[v].length, root.wetness = vertices[v].wetness;
   root.root_paint = vertices[v].root_paint, root.tip_paint = vertices[v].tip_paint;
@@ -90,7 +90,7 @@ void LeanCurves::set(int corner, const LeanTable& leans, const CornerLean& lean)
   Corner& own = corners_[static_cast<std::size_t>(corner)];
   const LeanRow row = leans.row(lean.inclination);
   for (std::size_t k = 0; k < row.size(); ++k) {
-    own.curve[k] = lean.length * (row[k].place.x * lean.direction + row[k].place.y * lean.normal);
+    own.curve[k] = lean.length * (row[k].position.x * lean.direction + row[k].position.y * lean.normal);
     own.slope[k] = (lean.length / lean_cells) * (row[k].slope.x * lean.direction + row[k].slope.y * lean.normal);
   }
 }
@@ -126,7 +126,7 @@ FurTriangle::FurTriangle(const FurModel& model, std::span<const FurVertex> verti
   for (int i = 0; i < 3; ++i) {
     const std::uint32_t v = model.triangles[index][i];
     Corner& corner = corners_[static_cast<std::size_t>(i)];
-    corner.place = corner.rest_position = model.positions[v], corner.normal = corner.rest_normal = model.normals[v];
+    corner.position = corner.rest_position = model.positions[v], corner.normal = corner.rest_normal = model.normals[v];
     if (moved) corner.rest_position = model.rest_positions[v], corner.rest_normal = model.rest_normals[v];
     corner.fur = vertices[v], corner.corner = model.corners[index][static_cast<std::size_t>(i)];
     grown_[i] = corner.corner.weight * glm::smoothstep(0.0f, 0.002f, corner.fur.length);
@@ -138,11 +138,11 @@ FurTriangle::FurTriangle(const FurModel& model, std::span<const FurVertex> verti
   const auto of_corners = [&](glm::vec3 Corner::*of) {
     return std::array{corners_[0].*of, corners_[1].*of, corners_[2].*of};
   };
-  if (moved) rotation_ = rotation_of_triangle(of_corners(&Corner::rest_position), of_corners(&Corner::place));
+  if (moved) rotation_ = rotation_of_triangle(of_corners(&Corner::rest_position), of_corners(&Corner::position));
 }
 
-glm::vec3 FurTriangle::place(glm::vec3 share) const {
-  return share.x * corners_[0].place + share.y * corners_[1].place + share.z * corners_[2].place;
+glm::vec3 FurTriangle::position(glm::vec3 share) const {
+  return share.x * corners_[0].position + share.y * corners_[1].position + share.z * corners_[2].position;
 }
 
 glm::vec3 FurTriangle::rest_position(glm::vec3 share) const {
@@ -155,7 +155,7 @@ RootFields FurTriangle::fields(glm::vec3 share) const {
     return share.x * value(corners_[0]) + share.y * value(corners_[1]) + share.z * value(corners_[2]);
   };
   RootFields root;
-  root.place = place(share);
+  root.position = position(share);
   root.normal = unit_or_up(mixed([](const Corner& c) { return c.normal; }));
   root.rest = {rest_position(share), unit_or_up(mixed([](const Corner& c) { return c.rest_normal; })), rotation_};
   root.tile_u = unit_across(mixed([](const Corner& c) { return c.corner.tile_axis; }), root.normal);

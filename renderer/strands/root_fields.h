@@ -19,7 +19,7 @@ namespace pelage {
 
 /// A position (across, up) on the lean curve of a strand of length 1, and its derivative by the height.
 struct LeanKnot {
-  glm::vec2 place{0}, slope{0};
+  glm::vec2 position{0}, slope{0};
 };
 
 /// Knots at the heights i / lean_cells.
@@ -49,7 +49,7 @@ std::vector<FurVertex> fur_vertices(const FurModel& model, const FurFields& fiel
 
 /// The fields at a root.
 struct RootFields {
-  glm::vec3 place{0};
+  glm::vec3 position{0};
   glm::vec3 normal{0, 1, 0}, tile_u{1, 0, 0}, tile_v{0, 0, 1};  // orthonormal
   RestPosePoint rest;                                           // position in the rest pose, for patterns and tufts
   float length = 0;                                             // length of the fur, sizes, >= 0
@@ -108,14 +108,14 @@ class FurTriangle {
   float grown(glm::vec3 share) const { return glm::dot(share, grown_); }
   float density(glm::vec3 share) const { return glm::dot(share, density_); }
 
-  glm::vec3 place(glm::vec3 share) const;
+  glm::vec3 position(glm::vec3 share) const;
   glm::vec3 rest_position(glm::vec3 share) const;
   RootFields fields(glm::vec3 share) const;
   const LeanCurves& curves() const { return curves_; }
 
  private:
   struct Corner {
-    glm::vec3 place, normal, rest_position, rest_normal;
+    glm::vec3 position, normal, rest_position, rest_normal;
     FurVertex fur;
     FurCorner corner;
   };

@@ -105,8 +105,8 @@ struct RootPattern {
 };
 
 RootPattern pattern_at(const PatternBlock& block, const RootFields& root) {
-  const glm::vec4 varied = pattern_variation(block, root.rest.place);
-  return {pattern_weights(block, root.rest.place, root.rest.normal),
+  const glm::vec4 varied = pattern_variation(block, root.rest.position);
+  return {pattern_weights(block, root.rest.position, root.rest.normal),
           varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w)};
 }
 
@@ -120,9 +120,9 @@ glm::vec3 painted(glm::vec3 colour, glm::vec4 paint, float strand, float mean) {
 
 glm::vec3 sample_picture(const ImageView& image, glm::vec2 uv, const std::array<float, 256>& linear) {
   if (image.width <= 0 || image.height <= 0) return glm::vec3(1);
-  const glm::vec2 place = glm::fract(glm::vec2(uv.x, 1 - uv.y)) * glm::vec2(image.width, image.height) - 0.5f;
-  if (!(place.x >= -1 && place.y >= -1)) return glm::vec3(1);  // not finite
-  const glm::vec2 low = glm::floor(place), part = place - low;
+  const glm::vec2 coordinate = glm::fract(glm::vec2(uv.x, 1 - uv.y)) * glm::vec2(image.width, image.height) - 0.5f;
+  if (!(coordinate.x >= -1 && coordinate.y >= -1)) return glm::vec3(1);  // not finite
+  const glm::vec2 low = glm::floor(coordinate), part = coordinate - low;
   const auto texel = [&](int right, int down) {
     const int x = wrapped(static_cast<int>(low.x) + right, image.width);
     const int y = wrapped(static_cast<int>(low.y) + down, image.height);

@@ -16,8 +16,8 @@ glm::vec3 unit_or(glm::vec3 v, glm::vec3 other) {
 
 glm::vec3 mean_root_colour(const StrandSet& strands) {
   glm::dvec3 sum(0);
-  const std::size_t places = static_cast<std::size_t>(strands.segments) + 1;
-  for (std::size_t i = 0; i < strands.count(); ++i) sum += glm::dvec3(unpack_colour(strands.colours[i * places]));
+  const std::size_t knots = static_cast<std::size_t>(strands.segments) + 1;
+  for (std::size_t i = 0; i < strands.count(); ++i) sum += glm::dvec3(unpack_colour(strands.colours[i * knots]));
   return strands.count() ? glm::vec3(sum / static_cast<double>(strands.count())) : glm::vec3(0);
 }
 
@@ -86,15 +86,15 @@ Hit StrandPart::hit(const Ray& ray, float distance, std::uint32_t segment, float
   const std::uint32_t k = segment % segments;
   const std::size_t at = first_point(segment);
   const StrandPoint* point = &strands_.points[at];
-  const auto place = [&](int i) {
-    const glm::vec3 opening = point[i].place;
+  const auto position = [&](int i) {
+    const glm::vec3 opening = point[i].position;
     if (strands_.closing.empty()) return opening;
-    return glm::mix(opening, (&strands_.closing[at])[i].place, ray.time);
+    return glm::mix(opening, (&strands_.closing[at])[i].position, ray.time);
   };
-  const glm::vec3 low = place(0), high = place(1);
+  const glm::vec3 low = position(0), high = position(1);
   const glm::vec3 along = unit_or(high - low, ray.direction);
-  const glm::vec3 before = k > 0 ? unit_or(high - place(-1), along) : along;
-  const glm::vec3 after = k + 1 < segments ? unit_or(place(2) - low, along) : along;
+  const glm::vec3 before = k > 0 ? unit_or(high - position(-1), along) : along;
+  const glm::vec3 after = k + 1 < segments ? unit_or(position(2) - low, along) : along;
 
   const StrandId strand = strand_of(segment);
   const StrandRoot& root = strands_.roots[strand.strand];

@@ -11,7 +11,7 @@ namespace pelage {
 
 /// A position on a strand's axis and the strand's radius there, sizes. Embree reads this memory layout.
 struct StrandPoint {
-  glm::vec3 place{0};
+  glm::vec3 position{0};
   float radius = 0;
 };
 static_assert(sizeof(StrandPoint) == 16);
@@ -43,8 +43,8 @@ struct StrandSet {
   std::vector<StrandRoot> roots;          // for each strand
   std::vector<std::uint32_t> neighbour;   // for each strand, the index of an earlier one near it; 0 for the first
   std::vector<StrandPoint> closing = {};  // the points when the shutter closes; empty if they do not move
-  // For each strand, the factor from its colour to that of the mean strand in its place, packed by pack_colour. Empty:
-  // each strand always shows its own colour.
+  // For each strand, the factor from its colour to that of the mean strand at its position, packed by pack_colour.
+  // Empty: each strand always shows its own colour.
   std::vector<std::uint32_t> to_mean = {};
 
   std::size_t count() const { return roots.size(); }

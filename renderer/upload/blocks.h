@@ -50,7 +50,7 @@ FrameBlock make_frame_block(const FurFrame& frame, const Slices& slices, bool mo
 struct LightView {
   glm::mat4 world_to_clip{1};
   glm::vec3 viewpoint{0};  // far away for a directional light
-  glm::vec4 axis{0};       // linear depth of a position, sizes: dot(axis.xyz, place) + axis.w
+  glm::vec4 axis{0};       // linear depth of a position, sizes: dot(axis.xyz, position) + axis.w
   float texel = 0;         // size of a texel of its map at distance 1 from the viewpoint, sizes
 };
 

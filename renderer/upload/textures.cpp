@@ -122,7 +122,8 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
     send_volume(gl, block, model);
     std::vector<glm::vec4> variation;
     variation.reserve(model.positions().size());
-    for (const glm::vec3& place : model.rest_pose_positions()) variation.push_back(pattern_variation(block, place));
+    for (const glm::vec3& position : model.rest_pose_positions())
+      variation.push_back(pattern_variation(block, position));
     model.send_variation(gl, variation);
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, pattern_binding, uniforms_.id());
@@ -131,7 +132,7 @@ void PatternTextures::prepare(const Gl& gl, std::uint64_t model_id, const Coat& 
 
 void PatternTextures::send_volume(const Gl& gl, const PatternBlock& block, const ModelBuffers& model) {
   const SurfaceVolume volume = make_surface_volume(model.surface(), [&](const RestPosePoint& middle) {
-    return glm::vec4(pattern_weights(block, middle.place, middle.normal), 1);
+    return glm::vec4(pattern_weights(block, middle.position, middle.normal), 1);
   });
   volume_ = volume_texture(gl, volume);
   const PatternColours colours{block.colour,

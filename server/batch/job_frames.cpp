@@ -93,7 +93,7 @@ class Planner {
     if (job_.time_lapse) own->request.revision = revision_at(position.index, position.count);
     JobFrame frame{.number = number,
                    .moment = std::move(*own),
-                   .open = {},
+                   .shutter_moments = {},
                    .motion = moments_,
                    .file = pattern_.file(number),
                    .fingerprint = {},
@@ -155,7 +155,7 @@ class Planner {
       Result<JobMoment> made = moment(frame.number + later, index / static_cast<double>(position.count));
       if (!made) return made.status();
       share_passes(blur.samples, k, made->request.knobs.trace);
-      frame.open.push_back(std::move(*made));
+      frame.shutter_moments.push_back(std::move(*made));
     }
     return {};
   }
@@ -184,7 +184,7 @@ class Planner {
 
   std::string fingerprint_of(const JobFrame& frame, const std::string& swing) const {
     std::string text = identity_ + "\n" + identity_of(frame.moment) + swing;
-    for (const JobMoment& moment : frame.open) text += "\n" + identity_of(moment);
+    for (const JobMoment& moment : frame.shutter_moments) text += "\n" + identity_of(moment);
     return digest(text);
   }
 

@@ -34,7 +34,7 @@ struct JobMoment {
 struct JobFrame {
   int number = 0;
   JobMoment moment;                            // at the frame's own time
-  std::vector<JobMoment> open;                 // moments of the open shutter, to average; empty if not blurred
+  std::vector<JobMoment> shutter_moments;      // to average, while the shutter is open; empty if not blurred
   std::shared_ptr<const ModelMoments> motion;  // shared by all frames; null if the model does not move
   std::string file;
   std::string fingerprint;     // hash of all inputs of the picture, 32 hex digits

@@ -11,7 +11,7 @@ namespace pelage {
 
 namespace {
 
-constexpr const char* saved_ending = ".pelage";
+constexpr const char* scene_extension = ".pelage";
 
 Result<std::shared_ptr<Scene>> load_model(SceneStore& store, const RenderJob& job, const std::string& path,
                                           const std::string& bytes) {
@@ -41,7 +41,7 @@ Result<std::shared_ptr<Scene>> open_scene(SceneStore& store, const RenderJob& jo
   const std::string path = (asked.is_absolute() ? asked : std::filesystem::path(folder) / asked).string();
   const Result<std::string> bytes = read_file(path);
   if (!bytes) return bytes.status();
-  const bool saved = asked.extension() == saved_ending;
+  const bool saved = asked.extension() == scene_extension;
   if (saved && job.options)
     return failure(Code::invalid, "Options are of a model's file; a scene has its model.", "/options",
                    "without .pelage");

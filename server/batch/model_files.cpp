@@ -47,7 +47,7 @@ Status check_files_of(const JobFrame& frame, FileCheck& files) {
   if (!swing) return swing.status();
   std::vector<ModelMoment> moments = *swing;
   moments.push_back(*frame.moment.model);
-  for (const JobMoment& open : frame.open) moments.push_back(*open.model);
+  for (const JobMoment& moment : frame.shutter_moments) moments.push_back(*moment.model);
   for (const ModelMoment& moment : moments) {
     if (Status refused = files.check(moment); !refused.ok()) return refused;
   }

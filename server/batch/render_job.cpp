@@ -114,12 +114,12 @@ Status JobRenderer::prepare(const JobFrame& frame, const JobMoment& moment) {
 }
 
 Result<LinearPicture> JobRenderer::blurred(const Region& region, const std::function<bool()>& stopped) {
-  MeanPicture mean(linear_aovs(region.frame.moment.request), static_cast<int>(region.frame.open.size()));
-  for (const JobMoment& moment : region.frame.open) {
+  MeanPicture mean(linear_aovs(region.frame.moment.request), static_cast<int>(region.frame.shutter_moments.size()));
+  for (const JobMoment& moment : region.frame.shutter_moments) {
     if (Status ready = prepare(region.frame, moment); !ready.ok()) return ready;
-    Result<LinearPicture> light = pictures_.light(scene_, region.request_at(moment), stopped);
-    if (!light) return light;
-    mean.add(std::move(*light));
+    Result<LinearPicture> linear = pictures_.draw_linear(scene_, region.request_at(moment), stopped);
+    if (!linear) return linear;
+    mean.add(std::move(*linear));
   }
   return std::move(mean).take();
 }
@@ -136,7 +136,7 @@ Result<JobRenderer::Encode> JobRenderer::picture(const Region& region, const std
   };
   const FrameRequest request = region.request_at(frame.moment);
   Result<PictureService::Encode> drawn = failure(Code::internal, "not drawn");
-  if (!frame.open.empty()) {
+  if (!frame.shutter_moments.empty()) {
     drawn = mean_picture(region, request, stopped);
   } else if (Status ready = prepare(frame, frame.moment); !ready.ok()) {
     return ready;

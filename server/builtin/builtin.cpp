@@ -67,10 +67,10 @@ std::vector<dvec2> sheet_uvs(const SheetGrid& grid) {
   std::vector<dvec2> uvs;
   for (int j = 0; j < grid.rows; ++j)
     for (int i = 0; i < grid.columns; ++i) {
-      const auto place = [&](int di, int dj) {
+      const auto uv = [&](int di, int dj) {
         return dvec2(static_cast<double>(i + di) / grid.columns, static_cast<double>(j + dj) / grid.rows);
       };
-      const dvec2 a = place(0, 0), b = place(1, 0), c = place(1, 1), d = place(0, 1);
+      const dvec2 a = uv(0, 0), b = uv(1, 0), c = uv(1, 1), d = uv(0, 1);
       if ((i + j) % 2 == 0)
         uvs.insert(uvs.end(), {a, b, c, a, c, d});
       else
@@ -223,12 +223,12 @@ class Geodesic {
       if (share == 0) corner = 0;
     std::sort(key.begin(), key.end());
     const auto [found, fresh] = known_.try_emplace(key, static_cast<std::uint32_t>(positions_.size()));
-    if (fresh) positions_.push_back(place(key));
+    if (fresh) positions_.push_back(position_of(key));
     return found->second;
   }
 
   /// Returns the position of a vertex. Equal angles along a face's edges keep the triangles about equal.
-  dvec3 place(const Key& key) const {
+  dvec3 position_of(const Key& key) const {
     dvec3 sum{0};
     for (const auto& [corner, share] : key) sum += std::sin(share * angle_ / cuts_) * solid_.corners[corner];
     return glm::normalize(sum);

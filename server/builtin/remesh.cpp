@@ -227,9 +227,9 @@ class Decimator {
     Quadric sum = quadrics_[a];
     sum.add(quadrics_[b]);
     const glm::dvec3 at_a = mesh_.position(a), at_b = mesh_.position(b);
-    const std::array<glm::dvec3, 3> places = {0.5 * (at_a + at_b), at_a, at_b};
+    const std::array<glm::dvec3, 3> candidates = {0.5 * (at_a + at_b), at_a, at_b};
     const auto less = [&](glm::dvec3 p, glm::dvec3 q) { return sum.at(p) < sum.at(q); };
-    const glm::dvec3 to = *std::min_element(places.begin(), places.end(), less);
+    const glm::dvec3 to = *std::min_element(candidates.begin(), candidates.end(), less);
     // A small cost for the length keeps flat parts even.
     const double length = mesh_.length(h);
     queue_.push({sum.at(to) + 5e-3 * length * length * length * length, h, a, b, changes_[a] + changes_[b], to});

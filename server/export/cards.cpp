@@ -24,7 +24,7 @@ constexpr double max_turn = 0.4;  // of a card around its middle line, radians
 constexpr std::array<std::size_t, card_levels> rows_of_level{CardLine::rows - 1, 3, 2};
 
 struct CardMesh {
-  std::vector<glm::vec3> places, normals;
+  std::vector<glm::vec3> positions, normals;
   std::vector<glm::vec2> uvs;
   std::vector<glm::vec4> colours;
   std::vector<glm::uvec3> triangles;
@@ -53,18 +53,19 @@ glm::vec3 side_of(const CardLine& clump, glm::vec3 level, glm::vec3 along) {
 /// Adds a card that is `width` sizes wide.
 void add_card(const CardLine& clump, double width, std::size_t rows, const Slices& slices, double size,
               CardMesh& mesh) {
-  const glm::vec3 level = level_of(clump, clump.places.back() - clump.places.front());
+  const glm::vec3 level = level_of(clump, clump.positions.back() - clump.positions.front());
   const auto lock = static_cast<float>(std::min(static_cast<int>(clump.number * card_locks), card_locks - 1));
-  const auto first = static_cast<std::uint32_t>(mesh.places.size());
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   for (std::size_t row = 0; row <= rows; ++row) {
     const double height = static_cast<double>(row) / static_cast<double>(rows);
     const auto at = static_cast<std::size_t>(std::lround(height * (CardLine::rows - 1)));
-    const glm::vec3 along = clump.places[std::min(at + 1, CardLine::rows - 1)] - clump.places[at > 0 ? at - 1 : 0];
+    const glm::vec3 along =
+        clump.positions[std::min(at + 1, CardLine::rows - 1)] - clump.positions[at > 0 ? at - 1 : 0];
     const glm::vec3 half = side_of(clump, level, along) * static_cast<float>(0.5 * width);
     const float light = glm::mix(light_at(slices, height), 1.0f, 0.5f);  // halved: cards hide the roots of others, too
     const glm::vec4 colour(glm::min(light * clump.colours[at] / card_lightness, 1.0f), 1);
     for (const float right : {0.0f, 1.0f}) {
-      mesh.places.push_back((clump.places[at] + (2 * right - 1) * half) * static_cast<float>(size));
+      mesh.positions.push_back((clump.positions[at] + (2 * right - 1) * half) * static_cast<float>(size));
       mesh.normals.push_back(clump.normal);
       mesh.uvs.emplace_back((lock + right) / card_locks, 1 - static_cast<float>(height));
       mesh.colours.push_back(colour);
@@ -78,11 +79,11 @@ void add_card(const CardLine& clump, double width, std::size_t rows, const Slice
 
 GltfJson add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
   return {{"attributes",
-           {{"POSITION", file.add_positions(mesh.places)},
+           {{"POSITION", file.add_positions(mesh.positions)},
             {"NORMAL", file.add(std::span<const glm::vec3>(mesh.normals))},
             {"TEXCOORD_0", file.add(std::span<const glm::vec2>(mesh.uvs))},
             {"COLOR_0", file.add(std::span<const glm::vec4>(mesh.colours))}}},
-          {"indices", file.add_triangles(mesh.triangles, mesh.places.size())},
+          {"indices", file.add_triangles(mesh.triangles, mesh.positions.size())},
           {"material", material}};
 }
 
@@ -110,14 +111,14 @@ void set_materials(GlbWriter& file, const CardMaterials& used, const Coat& coat,
 
 /// Mesh 0 is the body; the next meshes are the cards of the levels that have any. Each scene has nodes of its own,
 /// because readers move a node that two scenes share from one to the other.
-void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& levels, const FilePlace& place) {
+void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& levels, const FileTransform& transform) {
   GltfJson scenes = GltfJson::array(), nodes = GltfJson::array(), meshes = GltfJson::array();
   const auto add_mesh = [&](const std::string& name, GltfJson primitives) {
     meshes.push_back({{"name", name}, {"primitives", std::move(primitives)}});
     return meshes.size() - 1;
   };
   const auto add_node = [&](const std::string& name, std::size_t mesh) {
-    nodes.push_back(node_of(name, mesh, place));
+    nodes.push_back(node_of(name, mesh, transform));
     return nodes.size() - 1;
   };
   add_mesh("body", std::move(body));
@@ -159,7 +160,7 @@ Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& stran
   }
   result.triangles += scene.model.surface.mesh().triangles.size();
   set_materials(file, used, first_unmuted(scene.settings.coats).coat, overlap * cell);
-  set_scenes(file, std::move(body), levels, strands.place);
+  set_scenes(file, std::move(body), levels, strands.transform);
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();
   result.glb = std::move(*glb);

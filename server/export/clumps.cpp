@@ -41,14 +41,14 @@ void for_each_strand(const ExportedStrands& strands, const Use& use) {
 std::size_t count_clumps(const ExportedStrands& strands, double cell) {
   std::set<CellKey> keys;
   for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
-    keys.insert(key_of(set.points[first].place, set.roots[i].normal, cell));
+    keys.insert(key_of(set.points[first].position, set.roots[i].normal, cell));
   });
   return keys.size();
 }
 
 /// The sums over a clump's strands.
 struct Sum {
-  std::array<glm::dvec3, CardLine::rows> places{}, colours{};
+  std::array<glm::dvec3, CardLine::rows> positions{}, colours{};
   glm::dvec3 normal{0};
   double count = 0;
   float number = 0;
@@ -60,7 +60,7 @@ struct Sum {
       const auto low = std::min(static_cast<std::size_t>(at), static_cast<std::size_t>(set.segments) - 1);
       const double share = at - static_cast<double>(low);
       const auto mix = [&](auto of) { return glm::mix(of(first + low), of(first + low + 1), share); };
-      places[row] += mix([&](std::size_t k) { return glm::dvec3(set.points[k].place); });
+      positions[row] += mix([&](std::size_t k) { return glm::dvec3(set.points[k].position); });
       colours[row] += mix([&](std::size_t k) { return glm::dvec3(unpack_colour(set.colours[k])); });
     }
     normal += glm::dvec3(set.roots[strand].normal);
@@ -70,7 +70,7 @@ struct Sum {
   CardLine mean() const {
     CardLine clump;
     for (std::size_t row = 0; row < CardLine::rows; ++row) {
-      clump.places[row] = glm::vec3(places[row] / count);
+      clump.positions[row] = glm::vec3(positions[row] / count);
       clump.colours[row] = glm::vec3(colours[row] / count);
     }
     clump.normal = glm::vec3(glm::normalize(normal));
@@ -84,7 +84,7 @@ struct Sum {
 std::vector<CardLine> make_clumps(const ExportedStrands& strands, double cell) {
   std::map<CellKey, Sum> sums;
   for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
-    sums[key_of(set.points[first].place, set.roots[i].normal, cell)].add(set, i, first);
+    sums[key_of(set.points[first].position, set.roots[i].normal, cell)].add(set, i, first);
   });
   std::vector<CardLine> clumps;
   clumps.reserve(sums.size());

@@ -14,10 +14,10 @@ namespace pelage {
 struct CardLine {
   static constexpr std::size_t rows = 6;
 
-  std::array<glm::vec3, rows> places{};   // positions, internal
-  std::array<glm::vec3, rows> colours{};  // linear
-  glm::vec3 normal{0, 1, 0};              // of the skin, unit
-  float number = 0;                       // random number of its first strand, [0, 1)
+  std::array<glm::vec3, rows> positions{};  // positions, internal
+  std::array<glm::vec3, rows> colours{};    // linear
+  glm::vec3 normal{0, 1, 0};                // of the skin, unit
+  float number = 0;                         // random number of its first strand, [0, 1)
 };
 
 /// Returns the clumps of the fur. A clump has the strands with roots in one cube with sides of `cell` sizes, where the

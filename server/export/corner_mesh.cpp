@@ -38,20 +38,20 @@ CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
   return shells;
 }
 
-std::vector<glm::vec3> places_at(const SceneView& scene, double s) {
+std::vector<glm::vec3> positions_at(const SceneView& scene, double s) {
   const Mesh& mesh = scene.model.surface.mesh();
   const Coat& coat = first_unmuted(scene.settings.coats).coat;
-  std::vector<glm::vec3> places(mesh.positions.size());
-  for (std::uint32_t v = 0; v < places.size(); ++v) {
+  std::vector<glm::vec3> positions(mesh.positions.size());
+  for (std::uint32_t v = 0; v < positions.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]);
     const Lean lean =
         lean_of(glm::dvec2(scene.fields.value(Field::direction, v)), normal, glm::dvec3(mesh.tangents[v]));
     const LeanPoint at = lean_point(coat.lean_curve, lean.inclination, coat.root_share, s);
     const double length = double{scene.fields.number(Field::length, v)};
-    const glm::dvec3 place = glm::dvec3(mesh.positions[v]) + length * (at.across * lean.along + at.up * normal);
-    places[v] = glm::vec3(place * mesh.size);
+    const glm::dvec3 position = glm::dvec3(mesh.positions[v]) + length * (at.across * lean.along + at.up * normal);
+    positions[v] = glm::vec3(position * mesh.size);
   }
-  return places;
+  return positions;
 }
 
 }  // namespace pelage

@@ -25,6 +25,6 @@ CornerMesh make_corner_mesh(const SceneView& scene, bool whole = false);
 
 /// Returns the positions of all vertices of the mesh at a height s in [0, 1] of their fur, in the model's unit and
 /// relative to its centre.
-std::vector<glm::vec3> places_at(const SceneView& scene, double s);
+std::vector<glm::vec3> positions_at(const SceneView& scene, double s);
 
 }  // namespace pelage

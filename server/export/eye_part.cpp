@@ -43,18 +43,18 @@ glm::vec3 colour_of(const FurEye& eye, glm::vec3 direction) {
 }
 
 struct Balls {
-  std::vector<glm::vec3> places, normals;
+  std::vector<glm::vec3> positions, normals;
   std::vector<glm::vec4> colours;
   std::vector<glm::uvec3> triangles;
 
   void add(const FurEye& eye, double size) {
-    const auto first = static_cast<std::uint32_t>(places.size());
+    const auto first = static_cast<std::uint32_t>(positions.size());
     for (int ring = 0; ring <= rings; ++ring) {
       for (int sector = 0; sector <= sectors; ++sector) {
         const double polar = std::numbers::pi * ring / rings, around = 2 * std::numbers::pi * sector / sectors;
         const glm::vec3 direction = eye.frame * glm::vec3(std::sin(polar) * std::cos(around),
                                                           std::sin(polar) * std::sin(around), std::cos(polar));
-        places.push_back((eye.position + eye.radius * direction) * static_cast<float>(size));
+        positions.push_back((eye.position + eye.radius * direction) * static_cast<float>(size));
         normals.push_back(direction);
         colours.emplace_back(colour_of(eye, direction), 1);
       }
@@ -77,10 +77,10 @@ GltfJson add_eyes(GlbWriter& file, const std::vector<FurEye>& eyes, double size,
   Balls balls;
   for (const FurEye& eye : eyes) balls.add(eye, size);
   return {{"attributes",
-           {{"POSITION", file.add_positions(balls.places)},
+           {{"POSITION", file.add_positions(balls.positions)},
             {"NORMAL", file.add(std::span<const glm::vec3>(balls.normals))},
             {"COLOR_0", file.add(std::span<const glm::vec4>(balls.colours))}}},
-          {"indices", file.add_triangles(balls.triangles, balls.places.size())},
+          {"indices", file.add_triangles(balls.triangles, balls.positions.size())},
           {"material", material}};
 }
 

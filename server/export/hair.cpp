@@ -41,7 +41,7 @@ bool write_hair(const ExportedStrands& strands, const Sink& sink) {
     for (std::size_t i = 0; i < set.count(); ++i) out.put(static_cast<std::uint16_t>(set.segments));
   }
   for_each_point(strands, out, [&](const StrandSet& set, std::size_t i) {
-    out.put(glm::vec3(glm::dvec3(strands.file_offset(set.points[i])) + strands.place.centre));
+    out.put(glm::vec3(glm::dvec3(strands.file_offset(set.points[i])) + strands.transform.centre));
   });
   for_each_point(strands, out,
                  [&](const StrandSet& set, std::size_t i) { out.put(strands.model_width(set.points[i])); });

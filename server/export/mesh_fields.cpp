@@ -75,9 +75,10 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
   const Mesh& mesh = scene.model.surface.mesh();
   const CornerMesh shells = make_corner_mesh(scene, true);
   const VertexColours colours(scene.model.surface, strands);
-  const std::vector<glm::vec3> places = places_at(scene, 0);
+  const std::vector<glm::vec3> vertex_positions = positions_at(scene, 0);
   GlbWriter file;
-  const auto positions = of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return places[c.vertex]; });
+  const auto positions =
+      of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return vertex_positions[c.vertex]; });
   const auto normals =
       of_corners<glm::vec3>(shells, [&](const CornerMesh::Corner& c) { return mesh.normals[c.vertex]; });
   const auto uvs = of_corners<glm::vec2>(shells, [&](const CornerMesh::Corner& c) {
@@ -96,7 +97,7 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
   const int atlas = file.add_png(encode_png(atlas_of(first_unmuted(scene.settings.coats).coat), true));
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}, {"material", 0}};
   const GltfJson layers = {{"fur_layers", atlas_columns * atlas_columns}, {"atlas_columns", atlas_columns}};
-  file.set_scene(node_of("skin", 0, strands.place), GltfJson::array({skin}), layers);
+  file.set_scene(node_of("skin", 0, strands.transform), GltfJson::array({skin}), layers);
   GltfJson material = material_of("skin", dull);
   material["occlusionTexture"] = {{"index", 0}, {"strength", 0}};
   file.set("materials", GltfJson::array({material}));

@@ -152,8 +152,8 @@ std::string npy_of_vertices(const Mesh& mesh) {
   std::vector<double> numbers;
   numbers.reserve(3 * mesh.positions.size());
   for (const glm::vec3& position : mesh.positions) {
-    const glm::dvec3 place = mesh.to_model(position);
-    numbers.insert(numbers.end(), {place.x, place.y, place.z});
+    const glm::dvec3 in_model = mesh.to_model(position);
+    numbers.insert(numbers.end(), {in_model.x, in_model.y, in_model.z});
   }
   return encode_npy(std::array{mesh.positions.size(), std::size_t{3}}, std::span<const double>(numbers));
 }

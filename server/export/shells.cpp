@@ -26,9 +26,9 @@ namespace {
 /// The data that all shells share, and the members of the file that grow with each shell.
 class ShellFile {
  public:
-  ShellFile(const SceneView& scene, const FilePlace& place, const CornerMesh& shells, const VertexColours& colours,
-            const Slices& slices)
-      : scene_(scene), place_(place), shells_(shells), colours_(colours), slices_(slices) {
+  ShellFile(const SceneView& scene, const FileTransform& transform, const CornerMesh& shells,
+            const VertexColours& colours, const Slices& slices)
+      : scene_(scene), transform_(transform), shells_(shells), colours_(colours), slices_(slices) {
     if (shells.triangles.empty()) return;  // glTF has no empty arrays
     const Mesh& mesh = scene.model.surface.mesh();
     std::vector<glm::vec3> normals;
@@ -54,11 +54,11 @@ class ShellFile {
 
   void add_layer(int layer, int layers, const std::string& texture) {
     const SliceBin bin = bin_of(layer, layers);
-    const std::vector<glm::vec3> places = places_at(scene_, bin.height);
+    const std::vector<glm::vec3> vertex_positions = positions_at(scene_, bin.height);
     std::vector<glm::vec3> positions;
     std::vector<glm::vec4> colours;
     for (const CornerMesh::Corner& corner : shells_.corners) {
-      positions.push_back(places[corner.vertex]);
+      positions.push_back(vertex_positions[corner.vertex]);
       const glm::vec3 lit =
           LayerTexture::headroom * light_at(slices_, bin.height) * colours_.at(corner.vertex, bin.height);
       const float density = scene_.fields.number(Field::density, corner.vertex);
@@ -79,7 +79,7 @@ class ShellFile {
   }
 
   Result<std::string> finish() {
-    file_.set_scene(node_of("fur", 0, place_), primitives_);
+    file_.set_scene(node_of("fur", 0, transform_), primitives_);
     file_.set("materials", materials_);
     if (textures_.empty()) return file_.finish();
     file_.set("textures", textures_);
@@ -89,7 +89,7 @@ class ShellFile {
 
  private:
   const SceneView& scene_;
-  const FilePlace& place_;
+  const FileTransform& transform_;
   const CornerMesh& shells_;
   const VertexColours& colours_;
   const Slices& slices_;
@@ -114,7 +114,7 @@ Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& s
   const CornerMesh shells = make_corner_mesh(scene);
   const VertexColours colours(scene.model.surface, strands);
   const Slices slices = bake_slices(first_unmuted(scene.settings.coats).coat);
-  ShellFile file(scene, strands.place, shells, colours, slices);
+  ShellFile file(scene, strands.transform, shells, colours, slices);
   file.add_skin();
   const int layers = shells.triangles.empty() ? 0 : request.shells;
   const std::vector<std::string> textures = layer_textures(slices, layers);

@@ -20,15 +20,15 @@ GltfJson add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& 
   std::vector<glm::vec4> lit;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) lit.emplace_back(light_at(slices, 0) * colours.at(v, 0), 1);
   return {{"attributes",
-           {{"POSITION", file.add_positions(places_at(scene, 0))},
+           {{"POSITION", file.add_positions(positions_at(scene, 0))},
             {"NORMAL", file.add(std::span(mesh.normals))},
             {"COLOR_0", file.add(std::span(std::as_const(lit)))}}},
           {"indices", file.add_triangles(mesh.triangles, mesh.positions.size())},
           {"material", material}};
 }
 
-GltfJson node_of(const std::string& name, std::size_t mesh, const FilePlace& place) {
-  return node_of(name, mesh, place.metres * place.centre, place.turn, place.metres);
+GltfJson node_of(const std::string& name, std::size_t mesh, const FileTransform& transform) {
+  return node_of(name, mesh, transform.metres * transform.centre, transform.turn, transform.metres);
 }
 
 GltfJson material_of(const std::string& name, double roughness) {

@@ -19,7 +19,7 @@ GltfJson add_skin(GlbWriter& file, const SceneView& scene, const VertexColours& 
 inline constexpr double dull = 0.9, wet = 0.12;  // roughness of skin and eyes
 
 /// Returns a node for a mesh whose positions are relative to the model's centre.
-GltfJson node_of(const std::string& name, std::size_t mesh, const FilePlace& place);
+GltfJson node_of(const std::string& name, std::size_t mesh, const FileTransform& transform);
 /// Returns a non-metallic material without a colour of its own, for meshes with vertex colours.
 GltfJson material_of(const std::string& name, double roughness);
 

@@ -31,7 +31,7 @@ std::vector<GrowRecipe> recipes_for(const FurFrame& frame, const FurModel& model
 void find_root_uvs(const Surface& surface, const StrandSet& set, glm::vec2* uvs) {
   const std::size_t points = static_cast<std::size_t>(set.segments) + 1;
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const SurfacePoint at = surface.nearest(glm::dvec3(set.points[i * points].place));
+    const SurfacePoint at = surface.nearest(glm::dvec3(set.points[i * points].position));
     const std::array<glm::vec2, 3>& corners = surface.mesh().texture_uv[at.triangle];
     glm::dvec2 uv(0);
     for (int k = 0; k < 3; ++k) uv += at.barycentric[k] * glm::dvec2(corners[static_cast<std::size_t>(k)]);
@@ -67,7 +67,7 @@ ExportRequest needed(ExportRequest request, double expected) {
 
 }  // namespace
 
-FilePlace file_place(const Mesh& mesh, const ExportRequest& request) {
+FileTransform file_transform(const Mesh& mesh, const ExportRequest& request) {
   const double metres = request.metres_per_unit.value_or(1);
   if (request.frame == AssetFrame::pelage) return {mesh.centre, glm::dmat3(1), metres, Axis::plus_y};
   const glm::dmat3 turn = glm::transpose(axes_rotation(mesh.report.up, mesh.report.front));
@@ -76,12 +76,12 @@ FilePlace file_place(const Mesh& mesh, const ExportRequest& request) {
 
 namespace {
 
-ExportedSkin skin_of(const Mesh& mesh, const FilePlace& place) {
+ExportedSkin skin_of(const Mesh& mesh, const FileTransform& transform) {
   ExportedSkin skin;
   skin.triangles = mesh.triangles, skin.uvs = mesh.texture_uv;
   for (const glm::vec3 position : mesh.positions)
-    skin.points.emplace_back(place.turn * glm::dvec3(position) * mesh.size);
-  for (const glm::vec3 normal : mesh.normals) skin.normals.emplace_back(place.turn * glm::dvec3(normal));
+    skin.points.emplace_back(transform.turn * glm::dvec3(position) * mesh.size);
+  for (const glm::vec3 normal : mesh.normals) skin.normals.emplace_back(transform.turn * glm::dvec3(normal));
   return skin;
 }
 
@@ -128,8 +128,8 @@ Result<ExportedStrands> gather_strands(const SceneView& scene, const ExportReque
   if (Status many = check_count(expected, request); !many.ok()) return many;
 
   ExportedStrands strands;
-  strands.place = file_place(mesh, request), strands.size = mesh.size;
-  if (request.skin) strands.skin = skin_of(mesh, strands.place);
+  strands.transform = file_transform(mesh, request), strands.size = mesh.size;
+  if (request.skin) strands.skin = skin_of(mesh, strands.transform);
   grow_coats(model, make_fields(scene, skin, {}), frame, request, cancel, strands);
   if (request.curves && !frame.curves.empty()) {
     strands.group_of.push_back(strands.groups.size()), strands.groups.push_back({limits::coats, "whiskers"});

@@ -15,16 +15,16 @@
 
 namespace pelage {
 
-/// The placement of exported geometry in the file.
-struct FilePlace {
+/// The transform of exported geometry into the file.
+struct FileTransform {
   glm::dvec3 centre{0};  // of the model's box, in the file's axes
   glm::dmat3 turn{1};    // rotation from Pelage's axes to the file's
   double metres = 1;     // metres per unit
   Axis up = Axis::plus_y;
 };
-FilePlace file_place(const Mesh& mesh, const ExportRequest& request);
+FileTransform file_transform(const Mesh& mesh, const ExportRequest& request);
 
-/// The model's mesh, in its unit and in the file's axes, relative to the place's centre.
+/// The model's mesh, in its unit and in the file's axes, relative to the transform's centre.
 struct ExportedSkin {
   std::vector<glm::vec3> points, normals;
   std::vector<glm::uvec3> triangles;
@@ -44,15 +44,15 @@ struct ExportedStrands {
   std::vector<StrandGroup> groups;
   std::size_t curve_sets = 0;       // number of sets at the end with whiskers, lashes and brows
   std::vector<glm::vec2> root_uvs;  // texture coordinates of each strand's root, v up; empty if there are none
-  FilePlace place;
+  FileTransform transform;
   double size = 1;                   // model units per internal unit
   std::optional<ExportedSkin> skin;  // if requested
 
   std::uint64_t count() const;
   std::uint64_t points() const;
-  /// Returns the offset from the place's centre, in the model's unit and the file's axes.
+  /// Returns the offset from the transform's centre, in the model's unit and the file's axes.
   glm::vec3 file_offset(const StrandPoint& point) const {
-    return glm::vec3(place.turn * glm::dvec3(point.place) * size);
+    return glm::vec3(transform.turn * glm::dvec3(point.position) * size);
   }
   float model_width(const StrandPoint& point) const { return static_cast<float>(2 * double{point.radius} * size); }
 };

@@ -109,7 +109,7 @@ const char* tokens_of(CurveBasis basis) {
 }
 
 std::string header(const ExportedStrands& strands, const UsdaForm& form) {
-  const glm::dvec3 centre = strands.place.centre;
+  const glm::dvec3 centre = strands.transform.centre;
   return fmt::format(R"(#usda 1.0
 (
     customLayerData = {{
@@ -132,8 +132,8 @@ def Xform "groom" (
     {{
         uniform token type = {}
 )",
-                     form.revision, strands.place.metres, is_z(strands.place.up) ? "Z" : "Y", centre.x, centre.y,
-                     centre.z, tokens_of(form.basis));
+                     form.revision, strands.transform.metres, is_z(strands.transform.up) ? "Z" : "Y", centre.x,
+                     centre.y, centre.z, tokens_of(form.basis));
 }
 
 std::string extent(const ExportedStrands& strands) {
@@ -141,9 +141,9 @@ std::string extent(const ExportedStrands& strands) {
   bool any = false;
   for (const StrandSet& set : strands.sets) {
     for (const StrandPoint& point : set.points) {
-      const glm::vec3 place = strands.file_offset(point), half(strands.model_width(point) / 2);
-      low = any ? glm::min(low, place - half) : place - half;
-      high = any ? glm::max(high, place + half) : place + half;
+      const glm::vec3 position = strands.file_offset(point), half(strands.model_width(point) / 2);
+      low = any ? glm::min(low, position - half) : position - half;
+      high = any ? glm::max(high, position + half) : position + half;
       any = true;
     }
   }

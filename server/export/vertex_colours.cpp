@@ -16,7 +16,7 @@ VertexColours::VertexColours(const Surface& surface, const ExportedStrands& stra
 void VertexColours::add(const StrandSet& set, const Surface& surface) {
   const std::size_t points = static_cast<std::size_t>(set.segments) + 1;
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const SurfacePoint root = surface.nearest(glm::dvec3(set.points[i * points].place));
+    const SurfacePoint root = surface.nearest(glm::dvec3(set.points[i * points].position));
     const glm::uvec3 corners = surface.mesh().triangles[root.triangle];
     for (std::size_t h = 0; h < heights; ++h) {
       const std::size_t point = i * points + h * static_cast<std::size_t>(set.segments) / (heights - 1);
@@ -27,13 +27,13 @@ void VertexColours::add(const StrandSet& set, const Surface& surface) {
 }
 
 glm::vec3 VertexColours::at(std::uint32_t vertex, double s) const {
-  const double place = std::clamp(s, 0.0, 1.0) * (heights - 1);
-  const auto below = std::min(static_cast<std::size_t>(place), heights - 2);
+  const double coordinate = std::clamp(s, 0.0, 1.0) * (heights - 1);
+  const auto below = std::min(static_cast<std::size_t>(coordinate), heights - 2);
   const auto mean = [&](std::size_t h) {
     const glm::vec4 own = ramps_[vertex][h], sum = own.w > 1e-3f ? own : all_[h];
     return sum.w > 0 ? glm::vec3(sum) / sum.w : glm::vec3(0);
   };
-  return glm::mix(mean(below), mean(below + 1), static_cast<float>(place - static_cast<double>(below)));
+  return glm::mix(mean(below), mean(below + 1), static_cast<float>(coordinate - static_cast<double>(below)));
 }
 
 }  // namespace pelage

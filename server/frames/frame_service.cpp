@@ -100,8 +100,8 @@ FrameAnswer FrameService::encode(DrawnFrame drawn, const FrameRequest& request, 
   return answer;
 }
 
-Result<LinearPicture> FrameService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                          const std::function<bool()>& abandoned) {
+Result<LinearPicture> FrameService::draw_linear(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                                const std::function<bool()>& abandoned) {
   const YieldGate::Priority priority = impl_->gate.take_priority();
   Result<FrameView> shown = view(*scene, request);
   if (!shown) return shown.status();
@@ -153,20 +153,20 @@ Result<TraceStart> FrameService::begin_trace(const std::shared_ptr<Scene>& scene
   });
 }
 
-Result<DrawnFrame> FrameService::finish(const LinearPicture& light, const FrameRequest& request) {
+Result<DrawnFrame> FrameService::finish(const LinearPicture& linear, const FrameRequest& request) {
   DrawnFrame drawn{.picture = {},
-                   .revision = light.revision,
-                   .frame = light.frame,
-                   .placement = light.placement,
-                   .timings = light.timings,
-                   .counters = light.counters,
-                   .trace = light.report};
+                   .revision = linear.revision,
+                   .frame = linear.frame,
+                   .placement = linear.placement,
+                   .timings = linear.timings,
+                   .counters = linear.counters,
+                   .trace = linear.report};
   const Stopwatch since_request;
-  Result<DrawnPicture> finished = crop_of(light.aovs, request);
+  Result<DrawnPicture> finished = crop_of(linear.aovs, request);
   if (!is_linear(request.format)) {  // linear formats need no finishing
     finished = impl_->run_task<DrawnPicture>([&](Renderer& renderer) {
       const Stopwatch passed;
-      Result<DrawnPicture> shown = finish_for_format(renderer, *light.frame, request, light.aovs.front());
+      Result<DrawnPicture> shown = finish_for_format(renderer, *linear.frame, request, linear.aovs.front());
       impl_->count(passed.milliseconds(), shown ? Status{} : shown.status());
       return shown;
     });

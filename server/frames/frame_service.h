@@ -79,8 +79,8 @@ class FrameService {
   FrameAnswer encode(DrawnFrame drawn, const FrameRequest& request, const FileTexts& texts = {});
 
   /// Draws a frame in linear light, without finishing it: combines `view`, `plan` and `draw`.
-  Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                              const std::function<bool()>& abandoned = {});
+  Result<LinearPicture> draw_linear(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                    const std::function<bool()>& abandoned = {});
 
   /// Returns the scene's frames that are being drawn or wait.
   FrameProgressList progress(const Scene& scene) const;
@@ -91,7 +91,7 @@ class FrameService {
   Result<TraceStart> begin_trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request);
   /// Finishes a linear picture as the request says that it was drawn or traced for. Fails (conflict) if an overlay
   /// shows fields of a model that the scene no longer has. Waits as `begin_trace` does.
-  Result<DrawnFrame> finish(const LinearPicture& light, const FrameRequest& request);
+  Result<DrawnFrame> finish(const LinearPicture& linear, const FrameRequest& request);
 
   /// Returns the bytes of memory of the renderer's copies of a model, with their GL objects, as of its last frame, plus
   /// those of its cached earlier revisions. Does not wait for frames.

@@ -30,8 +30,8 @@ Result<PictureService::Encode> PictureService::begin_frame(const std::shared_ptr
 
 Result<DrawnFrame> PictureService::trace(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
                                          const std::function<bool()>& abandoned) {
-  const auto light = traces_.trace(scene, request, abandoned);
-  return light ? frames_.finish(**light, request) : light.status();
+  const auto linear = traces_.trace(scene, request, abandoned);
+  return linear ? frames_.finish(**linear, request) : linear.status();
 }
 
 Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
@@ -46,9 +46,9 @@ Result<FrameAnswer> PictureService::frame(const std::shared_ptr<Scene>& scene, c
   return answer;
 }
 
-Result<LinearPicture> PictureService::light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                                            const std::function<bool()>& abandoned) {
-  if (request.knobs.method != Method::strands) return frames_.light(scene, request, abandoned);
+Result<LinearPicture> PictureService::draw_linear(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                                  const std::function<bool()>& abandoned) {
+  if (request.knobs.method != Method::strands) return frames_.draw_linear(scene, request, abandoned);
   const auto picture = traces_.trace(scene, request, abandoned);
   return picture ? **picture : Result<LinearPicture>(picture.status());
 }

@@ -23,8 +23,8 @@ class PictureService {
                             const std::function<bool()>& abandoned = {}, const FileTexts& texts = {});
 
   /// Returns the linear picture, before it is finished to a file. Not for requests with `progressive`.
-  Result<LinearPicture> light(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
-                              const std::function<bool()>& abandoned = {});
+  Result<LinearPicture> draw_linear(const std::shared_ptr<Scene>& scene, const FrameRequest& request,
+                                    const std::function<bool()>& abandoned = {});
 
   /// Estimates the cost of drawing a frame, without drawing it. For traced strands the cost is measured: they are
   /// grown, and traced for two passes at a quarter of the size. A picture that ends at its noise target may end sooner.

@@ -35,7 +35,7 @@ bool asks_for_strand(const PickRequest& wanted) {
 Result<std::optional<PickedStrand>> strand_at_pixel(FrameService& frames, const std::shared_ptr<Scene>& scene,
                                                     const View& view, glm::dvec2 pixel) {
   const FrameRequest request = pixel_request(view, pixel);
-  const Result<LinearPicture> picture = frames.light(scene, request);
+  const Result<LinearPicture> picture = frames.draw_linear(scene, request);
   if (!picture) return picture.status();
   const std::size_t at = 4 * (static_cast<std::size_t>(request.crop->top) * static_cast<std::size_t>(request.width) +
                               static_cast<std::size_t>(request.crop->left));

@@ -14,7 +14,7 @@ namespace pelage {
 bool asks_for_strand(const PickRequest& wanted);
 
 /// Returns the strand that covers most of the pixel in an interactive frame of the view, of which only that pixel is
-/// drawn; nothing if skin, an eye or the background covers more. Fails as FrameService::light does.
+/// drawn; nothing if skin, an eye or the background covers more. Fails as FrameService::draw_linear does.
 Result<std::optional<PickedStrand>> strand_at_pixel(FrameService& frames, const std::shared_ptr<Scene>& scene,
                                                     const View& view, glm::dvec2 pixel);
 

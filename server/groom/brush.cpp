@@ -17,12 +17,12 @@ namespace pelage {
 namespace {
 
 glm::dvec3 internal_position(const StrokeSample& sample, const Surface& surface) {
-  if (const auto* place = std::get_if<PositionSample>(&sample.place))
-    return surface.mesh().to_internal(place->position);
-  const auto* place = std::get_if<SurfaceSample>(&sample.place);
-  assert(place != nullptr);  // resolve() has replaced pixels
-  const glm::dvec3 b = place->barycentric;
-  return surface.position({place->triangle, b / (b.x + b.y + b.z)});
+  if (const auto* in_space = std::get_if<PositionSample>(&sample.position))
+    return surface.mesh().to_internal(in_space->position);
+  const auto* on_skin = std::get_if<SurfaceSample>(&sample.position);
+  assert(on_skin != nullptr);  // resolve() has replaced pixels
+  const glm::dvec3 b = on_skin->barycentric;
+  return surface.position({on_skin->triangle, b / (b.x + b.y + b.z)});
 }
 
 glm::dvec3 unit_or_zero(glm::dvec3 v) {
@@ -65,9 +65,10 @@ double internal_length(double value, Units units, const Mesh& mesh) {
 double falloff_weight(const Brush& brush, double distance) {
   if (brush.falloff_points.empty()) return falloff_weight(brush.falloff, distance);
   if (!(distance <= 1)) return 0;
-  const double place = std::max(distance, 0.0) * static_cast<double>(brush.falloff_points.size() - 1);
-  const auto before = std::min(static_cast<std::size_t>(place), brush.falloff_points.size() - 2);
-  return glm::mix(brush.falloff_points[before], brush.falloff_points[before + 1], place - static_cast<double>(before));
+  const double coordinate = std::max(distance, 0.0) * static_cast<double>(brush.falloff_points.size() - 1);
+  const auto before = std::min(static_cast<std::size_t>(coordinate), brush.falloff_points.size() - 2);
+  return glm::mix(brush.falloff_points[before], brush.falloff_points[before + 1],
+                  coordinate - static_cast<double>(before));
 }
 
 std::optional<StandingFur> fur_reached(const Brush& brush, const Surface& surface, const FieldSet& fields,
@@ -112,7 +113,7 @@ BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface
     : brush_(brush), surface_(surface), fur_(fur), alpha_(alpha) {
   for (const StrokeSample& sample : stroke.samples) {
     path_.push_back(
-        {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfaceSample>(sample.place)});
+        {internal_position(sample, surface), sample.pressure, std::holds_alternative<SurfaceSample>(sample.position)});
   }
   if (stroke.view) {
     const double aspect = static_cast<double>(stroke.view->width) / stroke.view->height;
@@ -122,11 +123,11 @@ BrushStroke::BrushStroke(const Stroke& stroke, const Brush& brush, const Surface
   if (!path_.empty()) radius_ = radius_at(path_.front().position);
 }
 
-double BrushStroke::radius_at(glm::dvec3 place) const {
+double BrushStroke::radius_at(glm::dvec3 position) const {
   if (brush_.units == RadiusUnits::relative) return brush_.radius;
   if (brush_.units == RadiusUnits::world) return brush_.radius / surface_.mesh().size;
   if (!camera_) return 0;
-  const double depth = std::max(glm::dot(place - camera_->position, camera_->forward), 0.0);
+  const double depth = std::max(glm::dot(position - camera_->position, camera_->forward), 0.0);
   return brush_.radius * 2 * camera_->tan_half_fov * depth / view_height_;
 }
 
@@ -199,8 +200,8 @@ void BrushStroke::reach_along_surface(const Dab& dab, std::vector<Reached>& reac
 
 void BrushStroke::reach_on_screen(const Dab& dab, std::vector<Reached>& reached) const {
   const std::vector<glm::vec3>& positions = surface_.mesh().positions;
-  const auto on_plane = [&](glm::dvec3 place) {
-    const glm::dvec3 from_camera = place - camera_->position;
+  const auto on_plane = [&](glm::dvec3 position) {
+    const glm::dvec3 from_camera = position - camera_->position;
     const double depth = glm::dot(from_camera, camera_->forward);
     return depth > 0 ? glm::dvec2(glm::dot(from_camera, camera_->right), glm::dot(from_camera, camera_->up)) / depth
                      : glm::dvec2(std::numeric_limits<double>::infinity());
@@ -257,8 +258,8 @@ glm::dvec3 nearest_on_path(const Stroke& stroke, const Surface& surface, glm::dv
     const glm::dvec3 to = internal_position(stroke.samples[i], surface), along = to - from;
     const double square = glm::dot(along, along);
     const double t = square > 0 ? std::clamp(glm::dot(position - from, along) / square, 0.0, 1.0) : 0;
-    const glm::dvec3 place = from + t * along;
-    if (glm::distance(position, place) < glm::distance(position, best)) best = place;
+    const glm::dvec3 candidate = from + t * along;
+    if (glm::distance(position, candidate) < glm::distance(position, best)) best = candidate;
     from = to;
   }
   return best;
@@ -302,8 +303,8 @@ std::vector<VertexWeight> region_of(const std::optional<Stroke>& stroke, const B
   std::vector<VertexWeight> region =
       stroke ? covered(*stroke, brush, surface, fields, extras) : everywhere(brush.strength, fields.size());
   if (masked == Masked::no || fields.at_default(Field::mask)) return region;
-  for (VertexWeight& place : region) place.weight *= fields.number(Field::mask, place.vertex);
-  std::erase_if(region, [](const VertexWeight& place) { return !(place.weight > 0); });
+  for (VertexWeight& entry : region) entry.weight *= fields.number(Field::mask, entry.vertex);
+  std::erase_if(region, [](const VertexWeight& entry) { return !(entry.weight > 0); });
   return region;
 }
 

@@ -67,7 +67,7 @@ class BrushStroke {
   double radius() const { return radius_; }
 
   /// Returns the brush radius at a position, in sizes. A radius in pixels grows with the distance to the camera.
-  double radius_at(glm::dvec3 place) const;
+  double radius_at(glm::dvec3 position) const;
 
   /// Collects the vertices at which the dab has a weight above 0, sorted. The cost depends on their number, not on the
   /// mesh, except for the screen shape, which tests every vertex.

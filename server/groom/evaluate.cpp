@@ -47,8 +47,8 @@ double mean_edge(std::uint32_t triangle, const Mesh& mesh) {
 }
 
 std::uint32_t triangle_at(const StrokeSample& sample, const Surface& surface) {
-  if (const auto* place = std::get_if<SurfaceSample>(&sample.place)) return place->triangle;
-  return surface.nearest(surface.mesh().to_internal(std::get<PositionSample>(sample.place).position)).triangle;
+  if (const auto* on_skin = std::get_if<SurfaceSample>(&sample.position)) return on_skin->triangle;
+  return surface.nearest(surface.mesh().to_internal(std::get<PositionSample>(sample.position).position)).triangle;
 }
 
 /// Returns the largest mean edge length of the triangles where the stroke passes, sizes.

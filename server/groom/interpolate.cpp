@@ -19,8 +19,8 @@ constexpr double default_inclination = 0.5;
 /// inclination as length.
 std::vector<SpreadSource> sources_of(const Key& key, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
-  const glm::dvec3 place = mesh.to_internal(key.position);
-  const SurfacePoint nearest = surface.nearest(place);
+  const glm::dvec3 position = mesh.to_internal(key.position);
+  const SurfacePoint nearest = surface.nearest(position);
   const glm::dvec3 on_surface = surface.position(nearest);
   std::vector<SpreadSource> sources;
   for (const std::uint32_t v : corners_around(surface, nearest)) {

@@ -23,11 +23,11 @@ std::string sample_pointer(std::size_t sample, const char* field) {
 /// Checks what can only be checked against the surface, for each sample but pixels.
 Status check_position(const StrokeSample& sample, std::size_t number, const Surface& surface) {
   const Mesh& mesh = surface.mesh();
-  if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
-    if (!reachable(mesh.to_internal(place->position))) return out_of_reach(sample_pointer(number, "position"));
+  if (const auto* in_space = std::get_if<PositionSample>(&sample.position)) {
+    if (!reachable(mesh.to_internal(in_space->position))) return out_of_reach(sample_pointer(number, "position"));
   }
-  if (const auto* place = std::get_if<SurfaceSample>(&sample.place);
-      place && place->triangle >= mesh.triangles.size()) {
+  if (const auto* on_skin = std::get_if<SurfaceSample>(&sample.position);
+      on_skin && on_skin->triangle >= mesh.triangles.size()) {
     return failure(Code::invalid, "the model has no such triangle", sample_pointer(number, "triangle"),
                    "below " + std::to_string(mesh.triangles.size()));
   }
@@ -44,7 +44,7 @@ Status check_view(const Stroke& stroke, const Mesh& mesh) {
 
 bool shows_pixels(const Stroke& stroke) {
   return std::any_of(stroke.samples.begin(), stroke.samples.end(),
-                     [](const StrokeSample& sample) { return std::holds_alternative<ScreenSample>(sample.place); });
+                     [](const StrokeSample& sample) { return std::holds_alternative<ScreenSample>(sample.position); });
 }
 
 Stroke seen_from(const View& view) {
@@ -97,7 +97,7 @@ class VisiblePositions {
 
   /// Returns the position under a pixel: on the fur if the fur is in front of all skin, else on the skin; nothing if
   /// neither is hit.
-  std::optional<decltype(StrokeSample::place)> at(glm::dvec2 pixel) const {
+  std::optional<decltype(StrokeSample::position)> at(glm::dvec2 pixel) const {
     const glm::dvec3 direction = glm::normalize(pixel_ray(camera_, pixel, view_.width, view_.height));
     const std::optional<SurfacePoint> skin = surface_.raycast(camera_.position, direction);
     if (const auto hit = fur_ ? fur_at(direction, skin) : std::nullopt)
@@ -144,11 +144,11 @@ Status resolve_stroke(Stroke& stroke, Brush& brush, const Surface& surface, cons
   for (std::size_t i = 0; i < stroke.samples.size(); ++i) {
     StrokeSample sample = stroke.samples[i];
     if (Status bad = check_position(sample, i, surface); !bad.ok()) return bad;
-    if (const auto* pixel = std::get_if<ScreenSample>(&sample.place)) {
-      const auto place = seen->at(pixel->screen);
+    if (const auto* pixel = std::get_if<ScreenSample>(&sample.position)) {
+      const auto position = seen->at(pixel->screen);
       if (Status bad = standing ? check_visits(*fur, standing->visits()) : Status{}; !bad.ok()) return bad;
-      if (!place) continue;
-      sample.place = *place;
+      if (!position) continue;
+      sample.position = *position;
     }
     resolved.push_back(sample);
   }
@@ -169,7 +169,7 @@ Status check_brush(const Stroke& stroke, const Brush& brush, const Surface& surf
 struct CheckTool {
   const Mesh& mesh;
 
-  Status place(glm::dvec3 position, std::string pointer) const {
+  Status check_reach(glm::dvec3 position, std::string pointer) const {
     return reachable(mesh.to_internal(position)) ? Status{} : out_of_reach(std::move(pointer));
   }
   Status length(double value, Units units, std::string pointer) const {
@@ -178,10 +178,10 @@ struct CheckTool {
   }
   Status symmetry(const Symmetry& symmetry) const {
     for (std::size_t k = 0; k < symmetry.planes.size(); ++k) {
-      Status far = place(symmetry.planes[k].point, "/symmetry/planes/" + std::to_string(k) + "/point");
+      Status far = check_reach(symmetry.planes[k].point, "/symmetry/planes/" + std::to_string(k) + "/point");
       if (!far.ok()) return far;
     }
-    return place(symmetry.axis_point, "/symmetry/axis_point");
+    return check_reach(symmetry.axis_point, "/symmetry/axis_point");
   }
   /// Checks the width of Gaussians.
   Status sigma(double value, Units units) const {
@@ -201,13 +201,13 @@ struct CheckTool {
 
   Status operator()(const Comb&) const { return {}; }  // a direction is valid anywhere
   Status operator()(const Blow& blow) const {
-    if (Status far = place(blow.source, "/source"); !far.ok()) return far;
+    if (Status far = check_reach(blow.source, "/source"); !far.ok()) return far;
     return length(blow.fall, blow.units, "/fall");
   }
   Status operator()(const Interpolate& command) const {
     for (std::size_t k = 0; k < command.keys.size(); ++k) {
       const std::string pointer = "/keys/" + std::to_string(k);
-      if (Status far = place(command.keys[k].position, pointer + "/position"); !far.ok()) return far;
+      if (Status far = check_reach(command.keys[k].position, pointer + "/position"); !far.ok()) return far;
       if (!command.keys[k].length) continue;
       if (Status far = fur_length(*command.keys[k].length, command.units, pointer + "/length"); !far.ok()) return far;
     }
@@ -216,7 +216,7 @@ struct CheckTool {
   Status operator()(const Flow& command) const {
     for (std::size_t c = 0; c < command.curves.size(); ++c) {
       for (std::size_t p = 0; p < command.curves[c].size(); ++p) {
-        Status far = place(command.curves[c][p], "/curves/" + std::to_string(c) + "/" + std::to_string(p));
+        Status far = check_reach(command.curves[c][p], "/curves/" + std::to_string(c) + "/" + std::to_string(p));
         if (!far.ok()) return far;
       }
     }
@@ -234,9 +234,9 @@ struct CheckTool {
     return fur_length(std::abs(command.value), command.units, "/value");
   }
   Status operator()(const Trim& command) const {
-    if (const auto* plane = std::get_if<TrimPlane>(&command.shape)) return place(plane->point, "/plane/point");
+    if (const auto* plane = std::get_if<TrimPlane>(&command.shape)) return check_reach(plane->point, "/plane/point");
     if (const auto* sphere = std::get_if<TrimSphere>(&command.shape)) {
-      if (Status far = place(sphere->centre, "/sphere/centre"); !far.ok()) return far;
+      if (Status far = check_reach(sphere->centre, "/sphere/centre"); !far.ok()) return far;
       return length(sphere->radius, command.units, "/sphere/radius");
     }
     return length(std::get<double>(command.shape), command.units, "/height");
@@ -254,11 +254,11 @@ struct CheckTool {
       }
     }
     if (const auto* sphere = std::get_if<MaskSphere>(&command.shape)) {
-      if (Status far = place(sphere->centre, "/sphere/centre"); !far.ok()) return far;
+      if (Status far = check_reach(sphere->centre, "/sphere/centre"); !far.ok()) return far;
       if (Status far = length(sphere->radius, command.units, "/sphere/radius"); !far.ok()) return far;
     }
     if (const auto* part = std::get_if<MaskPart>(&command.shape)) {
-      if (Status far = place(part->position, "/part/position"); !far.ok()) return far;
+      if (Status far = check_reach(part->position, "/part/position"); !far.ok()) return far;
     }
     return length(command.distance, command.units, "/distance");
   }

@@ -54,24 +54,24 @@ class ModelMap : public PositionMap {
         alignment_(model_alignment(from.mesh(), to.mesh(), how)),
         length_scale_(how == Alignment::none ? 1 : to.mesh().size / from.mesh().size) {}
 
-  glm::dvec3 place(glm::dvec3 position) const override { return alignment_.place(position); }
+  glm::dvec3 mapped(glm::dvec3 position) const override { return alignment_.mapped(position); }
 
   /// Maps a position on one model's skin to the other model's skin. A position off the skin keeps its offset from it.
   glm::dvec3 on_skin(glm::dvec3 position) const override {
     const Mesh &mesh = from_.mesh(), &other = to_.mesh();
     const glm::dvec3 skin = mesh.to_model(from_.position(from_.nearest(mesh.to_internal(position))));
-    const glm::dvec3 wanted = other.to_internal(alignment_.place(skin));
+    const glm::dvec3 wanted = other.to_internal(alignment_.mapped(skin));
     const glm::dvec3 shift = to_.position(to_.nearest(wanted)) - wanted;
-    const glm::dvec3 straight = alignment_.place(position);
+    const glm::dvec3 straight = alignment_.mapped(position);
     return glm::length(shift) < same_position ? straight : straight + other.size * shift;
   }
 
-  SurfaceSample on_skin(const SurfaceSample& place) const override {
-    const glm::dvec3 skin = from_.mesh().to_model(from_.position({place.triangle, place.barycentric}));
-    const glm::dvec3 wanted = to_.mesh().to_internal(alignment_.place(skin));
-    const bool numbered = place.triangle < to_.mesh().triangles.size();
-    if (numbered && glm::distance(to_.position({place.triangle, place.barycentric}), wanted) < same_position)
-      return place;
+  SurfaceSample on_skin(const SurfaceSample& sample) const override {
+    const glm::dvec3 skin = from_.mesh().to_model(from_.position({sample.triangle, sample.barycentric}));
+    const glm::dvec3 wanted = to_.mesh().to_internal(alignment_.mapped(skin));
+    const bool numbered = sample.triangle < to_.mesh().triangles.size();
+    if (numbered && glm::distance(to_.position({sample.triangle, sample.barycentric}), wanted) < same_position)
+      return sample;
     const SurfacePoint there = to_.nearest(wanted);
     return {there.triangle, glm::max(there.barycentric, 0.0)};
   }
@@ -88,7 +88,7 @@ class ModelMap : public PositionMap {
 };
 
 /// Refuses commands that are valid on one model only.
-Status check_carried(const Command& command) {
+Status check_transferable(const Command& command) {
   if (const auto* mask = std::get_if<ChangeMask>(&command); mask && std::holds_alternative<MaskVertices>(mask->shape))
     return failure(Code::invalid, "vertices of one model are not those of another", "/vertices",
                    "a box, sphere or part");
@@ -102,10 +102,10 @@ Status check_carried(const Command& command) {
 }  // namespace
 
 Result<Command> transferred_command(const Command& resolved, const Surface& from, const Surface& to, Alignment how) {
-  if (Status stays = check_carried(resolved); !stays.ok()) return stays;
-  Command carried = resolved;
-  move_command(carried, ModelMap(from, to, how), from);
-  return carried;
+  if (Status stays = check_transferable(resolved); !stays.ok()) return stays;
+  Command transferred = resolved;
+  move_command(transferred, ModelMap(from, to, how), from);
+  return transferred;
 }
 
 double length_factor(const Mesh& from, const Mesh& to, Alignment how) {
@@ -118,9 +118,9 @@ NearestCorners nearest_corners(const Mesh& mesh, const Surface& source, Alignmen
   std::vector<double> distances(corners.size());
   for_each_range_in_parallel(static_cast<std::uint32_t>(corners.size()), [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t v = begin; v < end; ++v) {
-      const glm::dvec3 place = alignment.place(glm::dvec3(mesh.positions[v]));
-      const SurfacePoint point = source.nearest(place);
-      distances[v] = glm::distance(source.position(point), place);
+      const glm::dvec3 position = alignment.mapped(glm::dvec3(mesh.positions[v]));
+      const SurfacePoint point = source.nearest(position);
+      distances[v] = glm::distance(source.position(point), position);
       for (std::size_t k = 0; k < 3; ++k) {
         const int corner = static_cast<int>(k);
         corners[v][k] = {source.mesh().triangles[point.triangle][corner], point.barycentric[corner]};

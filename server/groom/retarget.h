@@ -17,7 +17,7 @@ namespace pelage {
 struct AlignmentTransform {
   glm::dvec3 scale{1}, shift{0};
 
-  glm::dvec3 place(glm::dvec3 p) const { return scale * p + shift; }
+  glm::dvec3 mapped(glm::dvec3 p) const { return scale * p + shift; }
   glm::dvec3 direction(glm::dvec3 d) const { return uniform() ? d : scale * d; }
   /// Maps the normal of a plane.
   glm::dvec3 normal(glm::dvec3 n) const { return uniform() ? n : n / scale; }

@@ -21,17 +21,17 @@ class Neighbourhood {
       : region_(region), surface_(surface), all_(region.size() >= surface.mesh().positions.size() / 8) {
     if (all_) return;
     begin_.push_back(0);
-    for (const VertexWeight& place : region) {
-      const auto others = surface.neighbours(place.vertex);
-      vertices_.push_back(place.vertex);
+    for (const VertexWeight& entry : region) {
+      const auto others = surface.neighbours(entry.vertex);
+      vertices_.push_back(entry.vertex);
       vertices_.insert(vertices_.end(), others.begin(), others.end());
       begin_.push_back(begin_.back() + static_cast<std::uint32_t>(others.size()));
     }
     std::sort(vertices_.begin(), vertices_.end());
     vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
-    for (const VertexWeight& place : region) {
-      for (const std::uint32_t other : surface.neighbours(place.vertex)) others_.push_back(number_of(other));
-      numbers_.push_back(number_of(place.vertex));
+    for (const VertexWeight& entry : region) {
+      for (const std::uint32_t other : surface.neighbours(entry.vertex)) others_.push_back(number_of(other));
+      numbers_.push_back(number_of(entry.vertex));
     }
   }
 

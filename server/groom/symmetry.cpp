@@ -32,16 +32,16 @@ class Mover {
   }
 
  private:
-  void move(glm::dvec3& place) const { place = map_.place(place); }
-  void move_on_skin(glm::dvec3& place) const { place = map_.on_skin(place); }
+  void move(glm::dvec3& position) const { position = map_.mapped(position); }
+  void move_on_skin(glm::dvec3& position) const { position = map_.on_skin(position); }
   void move(Symmetry& symmetry) const {
     for (Plane& plane : symmetry.planes) move(plane.point), plane.normal = map_.normal(plane.normal);
     move(symmetry.axis_point), turn(symmetry.axis);
   }
   /// Moves a curve in space; its root stays on the skin.
   void move_curve(GuideCurve& curve) const {
-    const glm::dvec3 root = map_.on_skin(curve.front()), shift = root - map_.place(curve.front());
-    for (glm::dvec3& point : curve) point = map_.place(point) + shift;
+    const glm::dvec3 root = map_.on_skin(curve.front()), shift = root - map_.mapped(curve.front());
+    for (glm::dvec3& point : curve) point = map_.mapped(point) + shift;
     curve.front() = root;
   }
   void turn(glm::dvec3& direction) const { direction = map_.direction(direction); }
@@ -59,8 +59,8 @@ class Mover {
   }
   void move(Stroke& stroke) const {
     for (StrokeSample& sample : stroke.samples) {
-      if (auto* place = std::get_if<PositionSample>(&sample.place)) move_on_skin(place->position);
-      if (auto* place = std::get_if<SurfaceSample>(&sample.place)) *place = map_.on_skin(*place);
+      if (auto* in_space = std::get_if<PositionSample>(&sample.position)) move_on_skin(in_space->position);
+      if (auto* on_skin = std::get_if<SurfaceSample>(&sample.position)) *on_skin = map_.on_skin(*on_skin);
     }
     stroke.view.reset();
   }
@@ -117,7 +117,7 @@ class Mover {
   }
   bool move_parts(ChangeMask& mask) const {
     if (auto* box = std::get_if<MaskBox>(&mask.shape)) {
-      const glm::dvec3 a = map_.place(box->min), b = map_.place(box->max);
+      const glm::dvec3 a = map_.mapped(box->min), b = map_.mapped(box->max);
       box->min = glm::min(a, b), box->max = glm::max(a, b);
     }
     if (auto* sphere = std::get_if<MaskSphere>(&mask.shape)) move(sphere->centre), scale(sphere->radius, mask.units);
@@ -180,7 +180,7 @@ struct Motion {
   glm::dmat3 turn{1};
   glm::dvec3 shift{0};
 
-  glm::dvec3 place(glm::dvec3 p) const { return turn * p + shift; }
+  glm::dvec3 mapped(glm::dvec3 p) const { return turn * p + shift; }
   glm::dvec3 direction(glm::dvec3 d) const { return turn * d; }
 };
 
@@ -216,12 +216,12 @@ class MotionMap : public PositionMap {
  public:
   MotionMap(const Motion& motion, const Surface& surface) : motion_(motion), surface_(surface) {}
 
-  glm::dvec3 place(glm::dvec3 position) const override { return motion_.place(position); }
-  glm::dvec3 on_skin(glm::dvec3 position) const override { return motion_.place(position); }
-  SurfaceSample on_skin(const SurfaceSample& place) const override {
+  glm::dvec3 mapped(glm::dvec3 position) const override { return motion_.mapped(position); }
+  glm::dvec3 on_skin(glm::dvec3 position) const override { return motion_.mapped(position); }
+  SurfaceSample on_skin(const SurfaceSample& sample) const override {
     const Mesh& mesh = surface_.mesh();
-    const glm::dvec3 position = mesh.to_model(surface_.position({place.triangle, place.barycentric}));
-    const SurfacePoint there = surface_.nearest(mesh.to_internal(motion_.place(position)));
+    const glm::dvec3 position = mesh.to_model(surface_.position({sample.triangle, sample.barycentric}));
+    const SurfacePoint there = surface_.nearest(mesh.to_internal(motion_.mapped(position)));
     return {there.triangle, glm::max(there.barycentric, 0.0)};
   }
   glm::dvec3 direction(glm::dvec3 direction) const override { return motion_.direction(direction); }

@@ -10,9 +10,9 @@ namespace pelage {
 class PositionMap {
  public:
   virtual ~PositionMap() = default;
-  virtual glm::dvec3 place(glm::dvec3 position) const = 0;    // of a position anywhere in space
+  virtual glm::dvec3 mapped(glm::dvec3 position) const = 0;   // of a position anywhere in space
   virtual glm::dvec3 on_skin(glm::dvec3 position) const = 0;  // of a position on the skin or near it
-  virtual SurfaceSample on_skin(const SurfaceSample& place) const = 0;
+  virtual SurfaceSample on_skin(const SurfaceSample& sample) const = 0;
   virtual glm::dvec3 direction(glm::dvec3 direction) const = 0;
   virtual glm::dvec3 normal(glm::dvec3 normal) const = 0;  // of a plane
   virtual double length(double length) const = 0;

@@ -13,9 +13,9 @@ constexpr std::size_t header_bytes = 128;
 constexpr std::uint32_t has_segments = 1, has_points = 2;
 
 template <class T>
-T number_at(std::string_view bytes, std::size_t place) {
+T number_at(std::string_view bytes, std::size_t offset) {
   T number{};
-  std::memcpy(&number, bytes.data() + place, sizeof number);
+  std::memcpy(&number, bytes.data() + offset, sizeof number);
   return number;
 }
 

@@ -142,9 +142,9 @@ class UsdaReader {
     if (tokens_.peek().is('(')) tokens_.take(), tokens_.skip_group();
     if (!tokens_.take().is('{'))
       return broken_guides("the prim \"" + std::string(token.text.substr(0, 100)) + "\" has no body.");
-    const Result<glm::dmat4> place = place_of(parent);
-    if (!place) return place.status();
-    prim.parent = *place;
+    const Result<glm::dmat4> transform = transform_of(parent);
+    if (!transform) return transform.status();
+    prim.parent = *transform;
     return read_body(prim, depth + 1);
   }
 
@@ -188,11 +188,11 @@ class UsdaReader {
   }
 
   /// Returns the matrix from the prim's own coordinates to the file's. The last operation is applied first.
-  static Result<glm::dmat4> place_of(const Prim& prim) {
-    glm::dmat4 place = prim.parent;
+  static Result<glm::dmat4> transform_of(const Prim& prim) {
+    glm::dmat4 transform = prim.parent;
     for (std::string_view name : prim.order) {
       if (name == "!resetXformStack!") {
-        place = glm::dmat4(1);
+        transform = glm::dmat4(1);
         continue;
       }
       constexpr std::string_view inverted = "!invert!";
@@ -202,14 +202,14 @@ class UsdaReader {
       if (numbers == prim.operations.end()) return broken_guides("its " + std::string(name) + " has no value.");
       const Result<glm::dmat4> matrix = matrix_of(name, numbers->second);
       if (!matrix) return matrix;
-      place *= inverse ? glm::inverse(*matrix) : *matrix;
+      transform *= inverse ? glm::inverse(*matrix) : *matrix;
     }
-    return place;
+    return transform;
   }
 
   Status add_curves(const Prim& prim) {
-    const Result<glm::dmat4> place = place_of(prim);
-    if (!place) return place.status();
+    const Result<glm::dmat4> transform = transform_of(prim);
+    if (!transform) return transform.status();
     std::size_t next = 0;
     for (const double count : prim.counts) {
       const double left = static_cast<double>(prim.points.size() / 3 - next);
@@ -218,7 +218,7 @@ class UsdaReader {
       GuideCurve& curve = curves_.emplace_back();
       for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k, ++next) {
         const double* p = &prim.points[3 * next];
-        curve.emplace_back(glm::dvec3(*place * glm::dvec4(p[0], p[1], p[2], 1)));
+        curve.emplace_back(glm::dvec3(*transform * glm::dvec4(p[0], p[1], p[2], 1)));
       }
     }
     return {};

@@ -50,11 +50,11 @@ GuideKeys keys_of(const std::vector<GuideCurve>& curves, const Surface& surface,
   GuideKeys found;
   for (const GuideCurve& curve : curves) {
     const glm::dvec3 root = mesh.to_internal(curve.front());
-    const SurfacePoint place = surface.nearest(root);
-    if (!(glm::distance(root, surface.position(place)) <= guide_reach))  // also excludes NaN
+    const SurfacePoint nearest = surface.nearest(root);
+    if (!(glm::distance(root, surface.position(nearest)) <= guide_reach))  // also excludes NaN
       ++found.far;
     else
-      found.keys.push_back(key_of(curve, surface.normal(place), coat, mesh.size));
+      found.keys.push_back(key_of(curve, surface.normal(nearest), coat, mesh.size));
   }
   return found;
 }

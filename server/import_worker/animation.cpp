@@ -47,12 +47,12 @@ aiQuaternion turn_at(const aiQuatKey* keys, unsigned count, double time, const a
 void move_node(aiScene& scene, const aiNodeAnim& channel, double time) {
   aiNode* node = scene.mRootNode->FindNode(channel.mNodeName);
   if (!node) return;
-  aiVector3D scale, place;
+  aiVector3D scale, translation;
   aiQuaternion turn;
-  node->mTransformation.Decompose(scale, turn, place);
+  node->mTransformation.Decompose(scale, turn, translation);
   node->mTransformation = aiMatrix4x4(vector_at(channel.mScalingKeys, channel.mNumScalingKeys, time, scale),
                                       turn_at(channel.mRotationKeys, channel.mNumRotationKeys, time, turn),
-                                      vector_at(channel.mPositionKeys, channel.mNumPositionKeys, time, place));
+                                      vector_at(channel.mPositionKeys, channel.mNumPositionKeys, time, translation));
 }
 
 double weight_of(const aiMeshMorphKey& key, unsigned target) {

@@ -27,26 +27,26 @@ class BytesStream : public Assimp::IOStream {
 
   std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
     if (size == 0) return 0;
-    const std::size_t whole = std::min(count, (bytes_.size() - place_) / size);
-    if (whole > 0) std::memcpy(buffer, bytes_.data() + place_, whole * size);
-    place_ += whole * size;
+    const std::size_t whole = std::min(count, (bytes_.size() - position_) / size);
+    if (whole > 0) std::memcpy(buffer, bytes_.data() + position_, whole * size);
+    position_ += whole * size;
     return whole;
   }
   std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
   aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-    const std::size_t base = origin == aiOrigin_SET ? 0 : (origin == aiOrigin_CUR ? place_ : bytes_.size());
+    const std::size_t base = origin == aiOrigin_SET ? 0 : (origin == aiOrigin_CUR ? position_ : bytes_.size());
     const std::size_t wanted = base + offset;  // a negative offset wraps around to the right sum
     if (wanted > bytes_.size()) return aiReturn_FAILURE;
-    place_ = wanted;
+    position_ = wanted;
     return aiReturn_SUCCESS;
   }
-  std::size_t Tell() const override { return place_; }
+  std::size_t Tell() const override { return position_; }
   std::size_t FileSize() const override { return bytes_.size(); }
   void Flush() override {}
 
  private:
   std::string_view bytes_;
-  std::size_t place_ = 0;
+  std::size_t position_ = 0;
 };
 
 }  // namespace

@@ -23,9 +23,9 @@ using gltf::member;
 using gltf::printable;
 using gltf::text;
 
-std::uint32_t number_at(std::string_view bytes, std::size_t place) {
+std::uint32_t number_at(std::string_view bytes, std::size_t offset) {
   std::uint32_t number = 0;
-  std::memcpy(&number, bytes.data() + place, sizeof number);  // little-endian, as this machine
+  std::memcpy(&number, bytes.data() + offset, sizeof number);  // little-endian, as this machine
   return number;
 }
 

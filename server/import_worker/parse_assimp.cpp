@@ -129,14 +129,17 @@ void keep_only(Assimp::Importer& importer, std::string_view name) {
 class Collector {
  public:
   Collector(const aiScene& scene, ModelFormat format, const Bundle& bundle, RawModel& model)
-      : scene_(scene), model_(model), materials_(scene, format, bundle, model), places_(scene, root_matrix(format)) {
+      : scene_(scene),
+        model_(model),
+        materials_(scene, format, bundle, model),
+        node_transforms_(scene, root_matrix(format)) {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       has_uv_ = has_uv_ || scene.mMeshes[i]->HasTextureCoords(0);
       has_colour_ = has_colour_ || scene.mMeshes[i]->HasVertexColors(0);
     }
   }
 
-  const NodePlaces& places() const { return places_; }
+  const NodeTransforms& node_transforms() const { return node_transforms_; }
 
   /// Adds invalid faces for those that assimp dropped, so that they are counted, and reports joints that mirror.
   void finish(std::size_t bad_faces) {
@@ -174,9 +177,9 @@ class Collector {
                     " triangles can have.");
     }
     const auto first = static_cast<std::uint32_t>(model_.positions.size());
-    const PosedMesh posed = pose(mesh, node, places_);
+    const PosedMesh posed = pose(mesh, node, node_transforms_);
     model_.positions.insert(model_.positions.end(), posed.positions.begin(), posed.positions.end());
-    for (const std::string& joint : mirroring_joints(mesh, places_)) mirroring_.insert(joint);
+    for (const std::string& joint : mirroring_joints(mesh, node_transforms_)) mirroring_.insert(joint);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices < 3) continue;  // points and lines
@@ -208,7 +211,7 @@ class Collector {
   const aiScene& scene_;
   RawModel& model_;
   MaterialReader materials_;
-  NodePlaces places_;
+  NodeTransforms node_transforms_;
   std::set<std::string> mirroring_;  // names of joints
   bool has_uv_ = false, has_colour_ = false;
 };
@@ -276,7 +279,7 @@ Result<RawModel> parse_with_assimp(ModelFormat format, Bundle& bundle, const std
   if (model.corners.empty())
     return broken(model.losses.empty() ? "it has no faces." : "it has no faces, but points or lines.");
   collector.finish(*bad_faces);
-  model.front = front_by_joints(*scene, collector.places(), Axis::plus_y);
+  model.front = front_by_joints(*scene, collector.node_transforms(), Axis::plus_y);
   return model;
 }
 

@@ -96,9 +96,9 @@ class Materials {
     }
   }
   void use(const std::string& name) {
-    const auto [place, added] = numbers_.try_emplace(name, model_.materials.size());
+    const auto [entry, added] = numbers_.try_emplace(name, model_.materials.size());
     if (added) model_.materials.push_back(made(name));
-    current_ = static_cast<std::uint16_t>(std::min<std::size_t>(place->second, 0xffff));
+    current_ = static_cast<std::uint16_t>(std::min<std::size_t>(entry->second, 0xffff));
   }
   /// Returns the current material, which is white until one is named.
   std::uint16_t current() {

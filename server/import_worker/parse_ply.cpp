@@ -201,10 +201,10 @@ struct PlyVertex {
 };
 
 /// Returns the member of `vertex` for a property; null for an unknown property.
-double* place_of(PlyVertex& vertex, std::string_view name) {
+double* member_of(PlyVertex& vertex, std::string_view name) {
   struct Name {
     std::string_view name;
-    double* place;
+    double* member;
   };
   const Name names[] = {{"x", &vertex.position.x}, {"y", &vertex.position.y},   {"z", &vertex.position.z},
                         {"red", &vertex.colour.x}, {"green", &vertex.colour.y}, {"blue", &vertex.colour.z},
@@ -212,7 +212,7 @@ double* place_of(PlyVertex& vertex, std::string_view name) {
                         {"s", &vertex.uv.x},       {"t", &vertex.uv.y},         {"u", &vertex.uv.x},
                         {"v", &vertex.uv.y},       {"texture_u", &vertex.uv.x}, {"texture_v", &vertex.uv.y}};
   for (const Name& entry : names) {
-    if (entry.name == name) return entry.place;
+    if (entry.name == name) return entry.member;
   }
   return nullptr;
 }
@@ -243,11 +243,11 @@ class BodyReader {
         continue;
       }
       const double value = numbers_.next(property.type);
-      double* place = place_of(vertex, property.name);
-      if (!place) continue;
-      const bool is_colour = place >= &vertex.colour.x && place <= &vertex.colour.z;
-      *place = is_colour ? value / full_scale(property.type) : value;
-      const bool is_position = place >= &vertex.position.x && place <= &vertex.position.z;
+      double* member = member_of(vertex, property.name);
+      if (!member) continue;
+      const bool is_colour = member >= &vertex.colour.x && member <= &vertex.colour.z;
+      *member = is_colour ? value / full_scale(property.type) : value;
+      const bool is_position = member >= &vertex.position.x && member <= &vertex.position.z;
       if (is_position && header_.encoding != PlyEncoding::text && property.type != PlyType::float64) {
         model_.is_32_bit = true;
       }

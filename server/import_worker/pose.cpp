@@ -33,11 +33,11 @@ struct Blend {
   std::vector<double> weights;
 };
 
-Blend blend_of(const aiMesh& mesh, const NodePlaces& places) {
+Blend blend_of(const aiMesh& mesh, const NodeTransforms& transforms) {
   Blend blend{std::vector<glm::dmat4>(mesh.mNumVertices, glm::dmat4(0)), std::vector<double>(mesh.mNumVertices, 0)};
   for (unsigned b = 0; b < mesh.mNumBones; ++b) {
     const aiBone& bone = *mesh.mBones[b];
-    const glm::dmat4* joint = places.of(bone.mName.C_Str());
+    const glm::dmat4* joint = transforms.of(bone.mName.C_Str());
     if (!joint) continue;
     const glm::dmat4 matrix = *joint * to_matrix(bone.mOffsetMatrix);
     for (unsigned i = 0; i < bone.mNumWeights; ++i) {
@@ -84,9 +84,9 @@ void set_apart(const aiMesh& mesh, PosedMesh& posed) {
   });
 }
 
-PosedMesh skinned(const aiMesh& mesh, const NodePlaces& places) {
+PosedMesh skinned(const aiMesh& mesh, const NodeTransforms& transforms) {
   PosedMesh posed = unposed(mesh);
-  const Blend blend = blend_of(mesh, places);
+  const Blend blend = blend_of(mesh, transforms);
   std::vector<bool> mirrored(mesh.mNumVertices, false);
   for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
     if (!(blend.weights[v] > 0)) continue;
@@ -111,35 +111,35 @@ glm::dmat4 to_matrix(const aiMatrix4x4& m) {
                                    m.c1, m.c2, m.c3, m.c4, m.d1, m.d2, m.d3, m.d4));
 }
 
-NodePlaces::NodePlaces(const aiScene& scene, const glm::dmat4& root) {
+NodeTransforms::NodeTransforms(const aiScene& scene, const glm::dmat4& root) {
   std::vector<std::pair<const aiNode*, glm::dmat4>> waiting{{scene.mRootNode, root}};
   while (!waiting.empty()) {
     const auto [node, parent] = waiting.back();
     waiting.pop_back();
-    const glm::dmat4 place = parent * to_matrix(node->mTransformation);
-    places_.emplace(node->mName.C_Str(), place);
-    for (unsigned i = 0; i < node->mNumChildren; ++i) waiting.emplace_back(node->mChildren[i], place);
+    const glm::dmat4 transform = parent * to_matrix(node->mTransformation);
+    transforms_.emplace(node->mName.C_Str(), transform);
+    for (unsigned i = 0; i < node->mNumChildren; ++i) waiting.emplace_back(node->mChildren[i], transform);
   }
 }
 
-const glm::dmat4* NodePlaces::of(const std::string& name) const {
-  const auto found = places_.find(name);
-  return found == places_.end() ? nullptr : &found->second;
+const glm::dmat4* NodeTransforms::of(const std::string& name) const {
+  const auto found = transforms_.find(name);
+  return found == transforms_.end() ? nullptr : &found->second;
 }
 
-PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodePlaces& places) {
-  if (mesh.HasBones()) return skinned(mesh, places);
+PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodeTransforms& transforms) {
+  if (mesh.HasBones()) return skinned(mesh, transforms);
   PosedMesh posed = unposed(mesh);
   posed.turned.assign(mesh.mNumFaces, mirrors(node));
   for (glm::dvec3& position : posed.positions) position = glm::dvec3(node * glm::dvec4(position, 1));
   return posed;
 }
 
-std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodePlaces& places) {
+std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodeTransforms& transforms) {
   std::vector<std::string> names;
   for (unsigned b = 0; b < mesh.mNumBones; ++b) {
     const aiBone& bone = *mesh.mBones[b];
-    const glm::dmat4* joint = places.of(bone.mName.C_Str());
+    const glm::dmat4* joint = transforms.of(bone.mName.C_Str());
     if (joint && bone.mNumWeights > 0 && mirrors(*joint * to_matrix(bone.mOffsetMatrix)))
       names.push_back(bone.mName.C_Str());
   }

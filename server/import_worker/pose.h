@@ -14,15 +14,15 @@ namespace pelage {
 glm::dmat4 to_matrix(const aiMatrix4x4& m);
 
 /// The matrices of all nodes of a scene, from node space to scene space.
-class NodePlaces {
+class NodeTransforms {
  public:
   /// `root` is the parent matrix of the root node.
-  NodePlaces(const aiScene& scene, const glm::dmat4& root);
+  NodeTransforms(const aiScene& scene, const glm::dmat4& root);
   /// Returns the matrix of a node; null if no node has that name.
   const glm::dmat4* of(const std::string& name) const;
 
  private:
-  std::unordered_map<std::string, glm::dmat4> places_;
+  std::unordered_map<std::string, glm::dmat4> transforms_;
 };
 
 struct PosedMesh {
@@ -36,9 +36,9 @@ struct PosedMesh {
 /// inverse bind matrix, with normalized weights. A vertex without weights, or without existing joints, stays in its
 /// bind position. Faces with most corners mirrored by joints are turned. Their vertices are moved from those of other
 /// faces by the smallest floating-point step, so that the two are not welded to one surface with inconsistent winding.
-PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodePlaces& places);
+PosedMesh pose(const aiMesh& mesh, const glm::dmat4& node, const NodeTransforms& transforms);
 
 /// Returns the names of the mesh's joints whose transforms mirror, and so turn the surface inside out.
-std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodePlaces& places);
+std::vector<std::string> mirroring_joints(const aiMesh& mesh, const NodeTransforms& transforms);
 
 }  // namespace pelage

@@ -60,15 +60,15 @@ BodySide side_of_joint(const std::string& name) {
   return BodySide::none;
 }
 
-std::optional<Axis> front_by_joints(const aiScene& scene, const NodePlaces& places, Axis up) {
+std::optional<Axis> front_by_joints(const aiScene& scene, const NodeTransforms& transforms, Axis up) {
   glm::dvec3 sums[2] = {glm::dvec3(0), glm::dvec3(0)};
   double counts[2] = {0, 0};
   for (const std::string& joint : joints_of(scene)) {
     const BodySide side = side_of_joint(joint);
-    const glm::dmat4* place = places.of(joint);
-    if (side == BodySide::none || !place) continue;
+    const glm::dmat4* transform = transforms.of(joint);
+    if (side == BodySide::none || !transform) continue;
     const int s = side == BodySide::left ? 0 : 1;
-    sums[s] += glm::dvec3((*place)[3]), counts[s] += 1;
+    sums[s] += glm::dvec3((*transform)[3]), counts[s] += 1;
   }
   if (counts[0] == 0 || counts[1] == 0) return {};
   const glm::dvec3 left = sums[0] / counts[0] - sums[1] / counts[1], upward = direction_of(up);

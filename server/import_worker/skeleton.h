@@ -21,6 +21,6 @@ BodySide side_of_joint(const std::string& name);
 
 /// Returns the axis, orthogonal to `up`, along which an animal looks: its left joints lie on one side of it, its right
 /// joints on the other. None if the names of the joints give no sides, or the direction is not close to an axis.
-std::optional<Axis> front_by_joints(const aiScene& scene, const NodePlaces& places, Axis up);
+std::optional<Axis> front_by_joints(const aiScene& scene, const NodeTransforms& transforms, Axis up);
 
 }  // namespace pelage

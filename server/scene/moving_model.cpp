@@ -13,11 +13,11 @@ namespace pelage {
 namespace {
 
 /// The rigid motion of a position on the rest surface.
-struct RigidMove {
+struct RigidMotion {
   glm::dvec3 from{0}, to{0};  // internal
   glm::dmat3 rotation{1};
 
-  glm::dvec3 place(glm::dvec3 internal) const { return to + rotation * (internal - from); }
+  glm::dvec3 mapped(glm::dvec3 internal) const { return to + rotation * (internal - from); }
 };
 
 /// Makes a mean of nearly equal rotations a rotation again, by orthogonalizing its columns.
@@ -27,49 +27,49 @@ glm::dmat3 orthogonal(const glm::dmat3& mean) {
   return {x, glm::cross(z, x), z};
 }
 
-class Carrier {
+class SettingsMover {
  public:
-  Carrier(const Surface& rest, const Mesh& moved, std::span<const glm::dmat3> rotations)
+  SettingsMover(const Surface& rest, const Mesh& moved, std::span<const glm::dmat3> rotations)
       : rest_(rest), moved_(moved), rotations_(rotations) {}
 
-  void carry(Eye& eye) const {
-    const RigidMove move = move_at(eye.position);
-    eye.position = carried(move, eye.position);
-    eye.gaze = move.rotation * eye.gaze;
-    if (eye.lids && eye.lids->facing) eye.lids->facing = move.rotation * *eye.lids->facing;
+  void move(Eye& eye) const {
+    const RigidMotion motion = motion_at(eye.position);
+    eye.position = moved(motion, eye.position);
+    eye.gaze = motion.rotation * eye.gaze;
+    if (eye.lids && eye.lids->facing) eye.lids->facing = motion.rotation * *eye.lids->facing;
   }
 
-  void carry(SkinRegion& region) const {
-    const RigidMove move = move_at(region.centre);
-    region.centre = carried(move, region.centre);
-    const glm::dmat3 frame = move.rotation * tilted(upright_frame(region.axis), glm::radians(region.turn_degrees));
+  void move(SkinRegion& region) const {
+    const RigidMotion motion = motion_at(region.centre);
+    region.centre = moved(motion, region.centre);
+    const glm::dmat3 frame = motion.rotation * tilted(upright_frame(region.axis), glm::radians(region.turn_degrees));
     region.axis = frame[2];
     const glm::dmat3 upright = upright_frame(region.axis);
     region.turn_degrees = glm::degrees(std::atan2(glm::dot(frame[0], upright[1]), glm::dot(frame[0], upright[0])));
-    if (region.facing) region.facing->direction = move.rotation * region.facing->direction;
+    if (region.facing) region.facing->direction = motion.rotation * region.facing->direction;
   }
 
-  void carry(GuideCurve& curve) const {
-    const RigidMove move = move_at(curve.front());
-    for (glm::dvec3& point : curve) point = carried(move, point);
+  void move(GuideCurve& curve) const {
+    const RigidMotion motion = motion_at(curve.front());
+    for (glm::dvec3& point : curve) point = moved(motion, point);
   }
 
  private:
-  RigidMove move_at(glm::dvec3 model) const {
+  RigidMotion motion_at(glm::dvec3 model) const {
     const Mesh& mesh = rest_.mesh();
     const SurfacePoint point = rest_.nearest(mesh.to_internal(model));
     const glm::uvec3 corners = mesh.triangles[point.triangle];
-    RigidMove move{.from = rest_.position(point), .rotation = glm::dmat3(0)};
+    RigidMotion motion{.from = rest_.position(point), .rotation = glm::dmat3(0)};
     for (int k = 0; k < 3; ++k) {
-      move.to += point.barycentric[k] * glm::dvec3(moved_.positions[corners[k]]);
-      move.rotation += point.barycentric[k] * rotations_[corners[k]];
+      motion.to += point.barycentric[k] * glm::dvec3(moved_.positions[corners[k]]);
+      motion.rotation += point.barycentric[k] * rotations_[corners[k]];
     }
-    move.rotation = orthogonal(move.rotation);
-    return move;
+    motion.rotation = orthogonal(motion.rotation);
+    return motion;
   }
 
-  glm::dvec3 carried(const RigidMove& move, glm::dvec3 model) const {
-    return moved_.to_model(move.place(rest_.mesh().to_internal(model)));
+  glm::dvec3 moved(const RigidMotion& motion, glm::dvec3 model) const {
+    return moved_.to_model(motion.mapped(rest_.mesh().to_internal(model)));
   }
 
   const Surface& rest_;
@@ -90,11 +90,11 @@ RawModel shape_of(RawModel raw) {
 
 SceneSettings moved_with_surface(SceneSettings settings, const Surface& rest, const Mesh& moved,
                                  std::span<const glm::dmat3> rotations) {
-  const Carrier carrier(rest, moved, rotations);
-  for (Eye& eye : settings.eyes) carrier.carry(eye);
-  for (SkinRegion& region : settings.skin) carrier.carry(region);
+  const SettingsMover mover(rest, moved, rotations);
+  for (Eye& eye : settings.eyes) mover.move(eye);
+  for (SkinRegion& region : settings.skin) mover.move(region);
   for (CurveGroup& group : settings.curves) {
-    for (GuideCurve& curve : group.curves) carrier.carry(curve);
+    for (GuideCurve& curve : group.curves) mover.move(curve);
   }
   return settings;
 }
@@ -127,8 +127,8 @@ Status MovingModel::check(const RawModel& raw) const {
     return refused("its faces are of other vertices", "the same faces");
   constexpr double furthest = 1000;  // sizes
   for (const std::uint32_t source : unsubdivided_.prepared.sources) {
-    const glm::dvec3 place = unsubdivided_.prepared.to_internal(raw.positions[source]);
-    if (!is_finite(place) || glm::length(place) > furthest)
+    const glm::dvec3 position = unsubdivided_.prepared.to_internal(raw.positions[source]);
+    if (!is_finite(position) || glm::length(position) > furthest)
       return refused("vertex " + std::to_string(source + 1) + " lies too far away",
                      "1,000 sizes from the model at rest");
   }

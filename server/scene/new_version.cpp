@@ -32,9 +32,9 @@ Aligned align(const SceneModel& from, const SceneModel& to) {
 }
 
 /// Transfers what the settings place on or around the model by converting the commands that set it.
-class SettingsCarrier {
+class SettingsTransfer {
  public:
-  SettingsCarrier(const Surface& from, const Surface& to, Alignment how) : from_(from), to_(to), how_(how) {}
+  SettingsTransfer(const Surface& from, const Surface& to, Alignment how) : from_(from), to_(to), how_(how) {}
 
   SceneSettings transferred(SceneSettings settings) const {
     settings.eyes = moved(SetEyes{std::move(settings.eyes)}).eyes;
@@ -100,13 +100,13 @@ TransferredGroom transferred_groom(const SceneSnapshot& now, const SceneModel& m
   const Surface &before = now.model->surface, &after = model.surface;
   const Aligned aligned = align(*now.model, model);
   const double factor = length_factor(before.mesh(), after.mesh(), aligned.how);
-  SceneSettings settings = SettingsCarrier(before, after, aligned.how).transferred(*now.settings);
+  SceneSettings settings = SettingsTransfer(before, after, aligned.how).transferred(*now.settings);
   settings.checkpoints.clear();  // their revisions are gone
   if (after.mesh().texture_uv.empty()) settings.skin_texture.clear();
   FieldSet fields =
       transferred(*now.fields, before.mesh(), after.mesh(), aligned.nearest.corners, factor, now.settings->layers);
   bare_new_parts(fields, before.mesh(), after.mesh());
-  const CarriedReport report{aligned.how, aligned.nearest.corners.size(), aligned.nearest.far, {}};
+  const TransferReport report{aligned.how, aligned.nearest.corners.size(), aligned.nearest.far, {}};
   return {std::move(fields), scaled(std::move(settings), factor), report};
 }
 

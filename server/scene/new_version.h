@@ -12,7 +12,7 @@ namespace pelage {
 struct TransferredGroom {
   FieldSet fields;
   SceneSettings settings;
-  CarriedReport report;
+  TransferReport report;
 };
 
 /// Transfers fields, edit layers and the mask by proximity: each vertex of `model` takes the values at the nearest

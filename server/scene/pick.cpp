@@ -5,7 +5,7 @@
 #include "server/groom/evaluate.h"
 #include "server/groom/reach.h"
 #include "server/groom/vertex_frame.h"
-#include "server/scene/farthest_place.h"
+#include "server/scene/farthest_point.h"
 
 namespace pelage {
 

@@ -35,9 +35,9 @@ Result<std::vector<std::vector<Command>>> Scene::effective_log_for(const SceneMo
   std::vector<std::vector<Command>> steps = commands_of(listed);
   for (std::size_t k = 0; k < steps.size(); ++k) {
     for (Command& command : steps[k]) {
-      Result<Command> carried = transferred_command(command, own->surface, other.surface);
-      if (!carried) return in_step(carried.status(), k + 1);
-      command = std::move(*carried);
+      Result<Command> transferred = transferred_command(command, own->surface, other.surface);
+      if (!transferred) return in_step(transferred.status(), k + 1);
+      command = std::move(*transferred);
     }
   }
   return steps;
@@ -141,7 +141,7 @@ Result<SceneSummary> Scene::transfer_groom_to(const std::shared_ptr<const SceneM
       id_,      name_, std::move(stored), now.revision + 1, difference(FieldSet(groom.fields.size()), groom.fields),
       settings, {}};
   Result<SceneSummary> summary = restart_with(scene, model, std::move(groom.fields), texture, &Journal::replace_model);
-  if (summary) summary->carried = groom.report;
+  if (summary) summary->transfer = groom.report;
   return summary;
 }
 

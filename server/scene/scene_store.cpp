@@ -290,7 +290,7 @@ Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions&
     const auto before = branch(scene, {name_before(now), now.revision});
     if (!before) return before.status();
     Result<SceneSummary> summary = scene.transfer_groom_to(model->model, model->stored, execute);
-    if (summary) summary->carried->before = (*before)->id();
+    if (summary) summary->transfer->before = (*before)->id();
     if (summary) return summary;
     if (Status removed = remove((*before)->id()); !removed.ok()) return removed;
     const bool changed_meanwhile = any_revision && summary.status().code == Code::precondition;

@@ -58,8 +58,8 @@ def roots_off_the_skin(server, scene):
     roots = points[numpy.cumsum(counts) - counts]
     groups = numbers(fur, "int[] primvars:groom_group_id").astype(int)
     names = re.search(r"groom_group_name = \[(.*?)\]", fur)[1].split(", ")
-    places = numbers(skin, "point3f[] points").reshape(-1, 3)
-    triangles = places[numbers(skin, "int[] faceVertexIndices").astype(int).reshape(-1, 3)]
+    positions = numbers(skin, "point3f[] points").reshape(-1, 3)
+    triangles = positions[numbers(skin, "int[] faceVertexIndices").astype(int).reshape(-1, 3)]
     off = distances(roots, triangles) / scene.info()["size"]
     return {names[int(numpy.argmax(groups == group))]: (int((groups == group).sum()), float(off[groups == group].max())) for group in numpy.unique(groups)}
 

@@ -11,8 +11,8 @@ constexpr double pooled_views = 8;   // weight, in views, of the mean spread of 
 
 double at_share(std::vector<double> numbers, double share) {
   std::sort(numbers.begin(), numbers.end());
-  const auto place = static_cast<std::size_t>(static_cast<double>(numbers.size()) * share);
-  return numbers[std::min(place, numbers.size() - 1)];
+  const auto index = static_cast<std::size_t>(static_cast<double>(numbers.size()) * share);
+  return numbers[std::min(index, numbers.size() - 1)];
 }
 
 /// Least squares with x >= 0 by coordinate descent on the normal equations.

@@ -27,8 +27,8 @@ def turned(camera, degrees):
     angle = numpy.radians(degrees)
     sine, cosine = numpy.sin(angle), numpy.cos(angle)
     x, y, z = numpy.subtract(camera["position"], camera["target"])
-    place = numpy.add(camera["target"], [cosine * x + sine * z, y, cosine * z - sine * x])
-    return {**camera, "position": [float(value) for value in place]}
+    position = numpy.add(camera["target"], [cosine * x + sine * z, y, cosine * z - sine * x])
+    return {**camera, "position": [float(value) for value in position]}
 
 
 def cost_of(scene, camera, size, tier):

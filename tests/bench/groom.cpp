@@ -34,13 +34,13 @@ Surface torus(int vertices) {
 
 /// Radius of balls around vertices that hold `wanted` vertices on average.
 double radius_for(const Surface& surface, double wanted) {
-  constexpr std::size_t places = 16;
+  constexpr std::size_t balls = 16;
   const std::vector<glm::vec3>& positions = surface.mesh().positions;
   double radius = 1e-4, count = 0;
-  for (std::vector<std::uint32_t> found; count < wanted * places && radius < 1; radius *= 1.02) {
+  for (std::vector<std::uint32_t> found; count < wanted * balls && radius < 1; radius *= 1.02) {
     count = 0;
-    for (std::size_t k = 0; k < places; ++k) {
-      surface.vertices_within(glm::dvec3(positions[k * positions.size() / places]), radius, found);
+    for (std::size_t k = 0; k < balls; ++k) {
+      surface.vertices_within(glm::dvec3(positions[k * positions.size() / balls]), radius, found);
       count += static_cast<double>(found.size());
     }
   }
@@ -106,19 +106,21 @@ struct DabCosts {
 
 /// Each repetition combs other positions, so that little of the mesh is in the CPU caches.
 DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
-  constexpr int places = 32;
+  constexpr int dab_count = 32;
   const Surface& surface = made.surface();
   FieldSet fields = first_groom(surface.mesh(), {});
   const double radius = radius_for(surface, dab_vertices);
   Random random(1);
   DabCosts costs;
-  const auto lower = [](Cost& cost, const Cost& other) { cost.lower_to({other.wall / places, other.cpu / places}); };
+  const auto lower = [](Cost& cost, const Cost& other) {
+    cost.lower_to({other.wall / dab_count, other.cpu / dab_count});
+  };
   for (int i = 0; i < repetitions; ++i) {
     std::vector<Command> dabs;
-    for (int k = 0; k < places; ++k) dabs.push_back(dab(surface.mesh(), radius, random));
-    std::vector<FieldDelta> deltas(places);
+    for (int k = 0; k < dab_count; ++k) dabs.push_back(dab(surface.mesh(), radius, random));
+    std::vector<FieldDelta> deltas(dab_count);
     const Cost evaluate_cost = measure([&] {
-      for (int k = 0; k < places; ++k)
+      for (int k = 0; k < dab_count; ++k)
         deltas[std::size_t(k)] = evaluate(*resolve(dabs[std::size_t(k)], surface), surface, fields).delta;
     });
     const Cost change = measure([&] {
@@ -126,16 +128,16 @@ DabCosts dab_costs(JournaledScene& made, Dab dab, int repetitions) {
     });
     lower(costs.evaluate, evaluate_cost), lower(costs.change, change);
     for (const FieldDelta& delta : deltas)
-      costs.touched += static_cast<double>(delta.vertices().size()) / places / repetitions;
-    for (Command& place : dabs) place = dab(surface.mesh(), radius, random);
+      costs.touched += static_cast<double>(delta.vertices().size()) / dab_count / repetitions;
+    for (Command& command : dabs) command = dab(surface.mesh(), radius, random);
     lower(costs.scene, measure([&] {
             for (const Command& one : dabs) require(made.scene().execute({one}).ok(), "a dab");
           }));
     lower(costs.undo, measure([&] {
-            for (int k = 0; k < places; ++k) require(made.scene().move(Undo{}).ok(), "undo");
+            for (int k = 0; k < dab_count; ++k) require(made.scene().move(Undo{}).ok(), "undo");
           }));
     lower(costs.redo, measure([&] {
-            for (int k = 0; k < places; ++k) require(made.scene().move(Redo{}).ok(), "redo");
+            for (int k = 0; k < dab_count; ++k) require(made.scene().move(Redo{}).ok(), "redo");
           }));
   }
   return costs;
@@ -179,14 +181,14 @@ struct NamedTool {
 
 /// Every tool, set up so that it changes all of its fields.
 std::vector<NamedTool> tools_on(const Mesh& mesh) {
-  const glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[0]));
+  const glm::dvec3 position = mesh.to_model(glm::dvec3(mesh.positions[0]));
   const glm::dvec3 above = mesh.to_model(glm::dvec3(mesh.positions[0]) + 0.05 * glm::dvec3(mesh.normals[0]));
-  Key key{place, glm::dvec3(0, 1, 0), 0.9, 0.05};
+  Key key{position, glm::dvec3(0, 1, 0), 0.9, 0.05};
   return {{"comb", Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)}},
           {"blow", Blow{.source = mesh.to_model({0, 2, 0})}},
           {"attract", Attract{.point = above, .radius = 0.06, .duration = 100}},
           {"interpolate", Interpolate{.keys = {key}}},
-          {"flow", Flow{.curves = {{place, place + glm::dvec3(0.1, 0.2, 0)}}, .inclination = 0.3}},
+          {"flow", Flow{.curves = {{position, position + glm::dvec3(0.1, 0.2, 0)}}, .inclination = 0.3}},
           {"smooth", Smooth{.flood = true, .fields = {Field::direction, Field::length}}},
           {"noise", Noise{.flood = true}},
           {"unify", Unify{.flood = true, .direction = glm::dvec3(1, 2, 3)}},

@@ -37,11 +37,11 @@ def grid(x, y, x_title, y_title, x_ticks):
 
 
 def drawn(points, colour, joined, x, y):
-    places = [(x(a), y(b)) for a, b in points]
+    pixels = [(x(a), y(b)) for a, b in points]
     if joined:
-        line = " ".join(f"{a:.1f},{b:.1f}" for a, b in places)
+        line = " ".join(f"{a:.1f},{b:.1f}" for a, b in pixels)
         return [f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>']
-    return [f'<path d="M{a - 4:.1f} {b - 4:.1f}l8 8m0 -8l-8 8" stroke="{colour}" stroke-width="2"/>' for a, b in places]
+    return [f'<path d="M{a - 4:.1f} {b - 4:.1f}l8 8m0 -8l-8 8" stroke="{colour}" stroke-width="2"/>' for a, b in pixels]
 
 
 def write(file, series, x_title, y_title, x_ticks=None):

@@ -44,8 +44,8 @@ class Obj:
             lines.append("f " + " ".join(f"{p}/{t}" if t and self.uvs else str(p) for p, t in corners))
         return "\n".join(lines) + "\n"
 
-    def moved(self, place):
-        return Obj([place(p) for p in self.positions], self.uvs, self.faces)
+    def moved(self, image_of):
+        return Obj([image_of(p) for p in self.positions], self.uvs, self.faces)
 
     def triangulated(self):
         return Obj(self.positions, self.uvs, [(m, [c[0], c[k], c[k + 1]]) for m, c in self.faces for k in range(1, len(c) - 1)])
@@ -150,15 +150,15 @@ def groom(scene):
     scene.run({"op": "lift", "flood": True, "brush": {"strength": 0.2}, "edit_layer": "lifted"})
 
 
-def picked(scene, place):
-    pick = scene.post("pick", {"nearest": list(place)}).json
+def picked(scene, position):
+    pick = scene.post("pick", {"nearest": list(position)}).json
     return numpy.array(pick["direction"]) * pick["inclination"], pick["length"] * scene.info()["size"], numpy.array(pick["painted"]["tip_colour"])
 
 
-def compare(before, after, places, place_of, longer):
+def compare(before, after, positions, position_of, longer):
     angles, lengths, colours = [], [], []
-    for p in places:
-        there = place_of(p)
+    for p in positions:
+        there = position_of(p)
         if there is None:
             continue
         old, new = picked(before, p), picked(after, there)
@@ -172,11 +172,11 @@ def compare(before, after, places, place_of, longer):
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else None
     cow = Obj.read(shared_folder() / "meshes" / "spot.obj")
-    places = cow.positions[numpy.random.default_rng(7).choice(len(cow.positions), SAMPLES, replace=False)]
+    positions = cow.positions[numpy.random.default_rng(7).choice(len(cow.positions), SAMPLES, replace=False)]
     server = Server()
     try:
         print(f"{'version':36} {'align':5} {'far':>12}  turned by, median and 95%   length 95%  colour 95%")
-        for k, (name, model, query, place_of, longer) in enumerate(versions(cow)):
+        for k, (name, model, query, position_of, longer) in enumerate(versions(cow)):
             scene = server.new_scene("sphere", 500)
             put = f"{scene.path}/model?format=obj"
             assert server.call("PUT", put, cow.text().encode()).status == 200
@@ -185,7 +185,7 @@ def main():
             assert answer.status == 200, answer
             carried = answer.json["carried"]
             before = type(scene)(server, carried["before"])
-            angle, length, colour = compare(before, scene, places, place_of, longer)
+            angle, length, colour = compare(before, scene, positions, position_of, longer)
             print(f"{name:36} {carried['align']:5} {carried['far']:5} of {carried['vertices']:5}  {angle[0]:10.2f} {angle[1]:8.2f} degrees"
                   f" {100 * length:9.2f}%  {colour:.3f}", flush=True)
             if folder:

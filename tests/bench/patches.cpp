@@ -59,15 +59,15 @@ Spread spread_of(std::vector<std::pair<double, double>> values) {
 
 /// Positions on the surface, each with its normal.
 struct Points {
-  std::vector<glm::vec3> places, normals;
+  std::vector<glm::vec3> positions, normals;
 
   void add(const Mesh& mesh, std::uint32_t t, glm::dvec3 b) {
-    glm::dvec3 place(0), normal(0);
+    glm::dvec3 position(0), normal(0);
     for (int k = 0; k < 3; ++k) {
-      place += b[k] * corner(mesh, t, k);
+      position += b[k] * corner(mesh, t, k);
       normal += b[k] * glm::dvec3(mesh.normals[mesh.triangles[t][k]]);
     }
-    places.emplace_back(place), normals.emplace_back(normal);
+    positions.emplace_back(position), normals.emplace_back(normal);
   }
 };
 
@@ -159,18 +159,18 @@ double density_variation(const Mesh& mesh, const PatchMap& map) {
   constexpr int discs = 2000;
   const Points strands = strands_of(mesh, map), even = even_points(mesh, oversampling * density, 6);
   const Points centres = even_points(mesh, discs / surface_area(mesh), 7);
-  const PointTree strand_tree(strands.places), even_tree(even.places);
+  const PointTree strand_tree(strands.positions), even_tree(even.positions);
   const double radius = std::sqrt(wanted / density / 3.14159265358979);
   std::vector<std::uint32_t> found;
   const auto count = [&](const Points& points, const PointTree& tree, std::size_t c) {
     found.clear();
-    tree.find_within(points.places, glm::dvec3(centres.places[c]), radius, found);
+    tree.find_within(points.positions, glm::dvec3(centres.positions[c]), radius, found);
     return static_cast<double>(std::count_if(found.begin(), found.end(), [&](std::uint32_t i) {
       return glm::dot(points.normals[i], centres.normals[c]) > 0;
     }));
   };
   double n = 0, sum = 0, squares = 0;
-  for (std::size_t c = 0; c < centres.places.size(); ++c) {
+  for (std::size_t c = 0; c < centres.positions.size(); ++c) {
     const double area = count(even, even_tree, c) / oversampling;
     if (area < 0.7 * wanted) continue;
     const double value = count(strands, strand_tree, c) / area;

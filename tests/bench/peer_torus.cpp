@@ -36,8 +36,8 @@ Listed write_strands(const FurModel& model, const FurFields& fields, const FurFr
     for (std::size_t i = 0; i < set.points.size(); ++i) {
       const StrandPoint& point = set.points[i];
       const glm::vec3 sigma_a = shading.absorption(unpack_colour(set.colours[i]));
-      numbers.insert(numbers.end(),
-                     {point.place.x, point.place.y, point.place.z, point.radius, sigma_a.r, sigma_a.g, sigma_a.b});
+      numbers.insert(numbers.end(), {point.position.x, point.position.y, point.position.z, point.radius, sigma_a.r,
+                                     sigma_a.g, sigma_a.b});
     }
     put(file, std::span<const float>(numbers));
   }

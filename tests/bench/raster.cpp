@@ -50,10 +50,10 @@ void look_at(FurCamera& camera, glm::vec3 position, glm::vec3 target) {
 void add_mohawk(testing::FurredModel& model) {
   const Mesh& mesh = model.model.surface.mesh();
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    const glm::vec3 place(mesh.positions[v]), normal(mesh.normals[v]);
-    if (std::abs(place.x) > 0.035f || normal.y < 0.2f || place.y < 0.2f) continue;
+    const glm::vec3 position(mesh.positions[v]), normal(mesh.normals[v]);
+    if (std::abs(position.x) > 0.035f || normal.y < 0.2f || position.y < 0.2f) continue;
     Groom groom = model.fields.at(v);
-    groom.length = 0.2f * (1 - 0.6f * std::abs(place.x) / 0.035f), groom.direction *= 0.55f;
+    groom.length = 0.2f * (1 - 0.6f * std::abs(position.x) / 0.035f), groom.direction *= 0.55f;
     model.fields.set(v, stored_groom(groom.direction, groom.length, 0));
   }
 }

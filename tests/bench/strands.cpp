@@ -71,15 +71,15 @@ testing::FurredModel plush(const Options& options) {
 
 /// Shortens the fur of a fifth of the vertices, those nearest to the nose.
 void shorten_a_fifth(testing::FurredModel& model) {
-  const std::vector<glm::vec3>& places = model.model.surface.mesh().positions;
+  const std::vector<glm::vec3>& positions = model.model.surface.mesh().positions;
   std::vector<float> heights;
-  for (const glm::vec3& place : places) heights.push_back(place.z);
+  for (const glm::vec3& position : positions) heights.push_back(position.z);
   const auto fifth = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() * 4 / 5);
   std::nth_element(heights.begin(), fifth, heights.end());
   FieldDelta::Part part{.field = Field::length, .vertices = {}, .flips = {}};
-  for (std::uint32_t i = 0; i < places.size(); ++i) {
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
     const float length = model.fields.length()[i];
-    if (places[i].z >= *fifth) put_change(part, i, glm::vec4(length), glm::vec4(0.8f * length));
+    if (positions[i].z >= *fifth) put_change(part, i, glm::vec4(length), glm::vec4(0.8f * length));
   }
   model.fields.apply({{std::move(part)}});
 }

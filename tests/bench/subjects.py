@@ -14,7 +14,7 @@ from support.server import shared_folder  # noqa: E402
 DISTANCES = {"near": 0.9, "whole": 1.6, "far": 4}  # distance from the middle of the bounding box, in sizes
 DIRECTION = numpy.array([0.5, 0.22, 0.84])
 CREST = [[0, 0.9, 0.57], [0, 0.99, 0.48], [0, 1.02, 0.39], [0, 1.0, 0.3], [0, 0.93, 0.21], [0, 0.71, 0.12]]
-UPRIGHT = {"stroke": {"samples": [{"position": place} for place in CREST]},
+UPRIGHT = {"stroke": {"samples": [{"position": position} for position in CREST]},
            "brush": {"radius": 0.05, "strength": 1, "falloff": "constant"}}
 
 

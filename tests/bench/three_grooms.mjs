@@ -38,7 +38,7 @@ class Groomer {
     await this.page.mouse.move(...await this.studio.at(0.5, 0.5));
     for (let k = 0; k < Math.abs(steps); ++k) await this.page.keyboard.press(steps > 0 ? "]" : "[");
   }
-  async strokes(...strokes) { for (const places of strokes) await this.studio.drag(places, {steps: 14}); }
+  async strokes(...strokes) { for (const points of strokes) await this.studio.drag(points, {steps: 14}); }
   async number(label, value) {
     const field = this.page.locator(".panel .row", {hasText: label}).first().locator('input[type="number"]');
     await field.fill(String(value));

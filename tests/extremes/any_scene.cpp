@@ -30,7 +30,7 @@ std::string any_object(const std::vector<Member>& members, int percent = 40) {
 
 const Texts share{"0", "0.3", "1"}, truth{"true", "false"}, exponents{"0", "1", "40", "1e6"},
     colours{"\"#000000\"", "\"#ffffff\"", "[1, 0, 0]", "[0.2, 0.3, 0.1]"}, seeds{"0", "1", "4294967295"},
-    places{"[0, 0, 0]", "[0, 0, 1]", "[0, 0.4, 1.02]", "[0.7, 0.7, 0.7]", "[0, 1e6, 0]", "[-3, 2, 4]"},
+    positions{"[0, 0, 0]", "[0, 0, 1]", "[0, 0.4, 1.02]", "[0.7, 0.7, 0.7]", "[0, 1e6, 0]", "[-3, 2, 4]"},
     ways{"[0, 0, -1]", "[0, -1, 0]", "[1, -1, -1]", "[0, 0, 1]"};
 
 std::string any_coat() {
@@ -107,7 +107,7 @@ std::string any_look() {
 std::string any_light() {
   return any_object({{"kind", {"\"directional\"", "\"point\"", "\"spot\"", "\"area\""}},
                      {"direction", ways},
-                     {"position", places},
+                     {"position", positions},
                      {"colour", colours},
                      {"intensity", {"0", "1e-3", "1", "1e8"}},
                      {"cone_degrees", {"0.1", "30", "90"}},
@@ -135,7 +135,7 @@ std::string any_eye() {
                                        {"refraction", {"1", "1.376", "3"}},
                                        {"wetness", share}});
   const std::string fixed =
-      R"({"position": )" + any_of(places) + R"(, "radius": )" + any_of({"1e-6", "0.05", "1", "1e6"});
+      R"({"position": )" + any_of(positions) + R"(, "radius": )" + any_of({"1e-6", "0.05", "1", "1e6"});
   return more == "{}" ? fixed + "}" : fixed + ", " + more.substr(1);
 }
 
@@ -145,7 +145,7 @@ std::string any_region() {
                                        {"roughness", {"0.02", "1"}},
                                        {"wetness", share},
                                        {"scatter", share}});
-  const std::string fixed = R"({"centre": )" + any_of(places) + R"(, "radii": )" +
+  const std::string fixed = R"({"centre": )" + any_of(positions) + R"(, "radii": )" +
                             any_of({"[1e-6, 1e-6, 1e-6]", "[0.5, 0.5, 0.5]", "[1e6, 1e-6, 1]"});
   return more == "{}" ? fixed + "}" : fixed + ", " + more.substr(1);
 }
@@ -179,7 +179,7 @@ void add_settings(Texts& commands) {
   if (chance(20)) commands.push_back(set("set_skin", "regions", "[" + any_region() + "]"));
   if (chance(20))
     commands.push_back(set("set_curves", "groups",
-                           R"([{"curves": [[[0, 0, 1], )" + any_of(places) + R"(]], "fill": )" + any_of({"0", "5"}) +
+                           R"([{"curves": [[[0, 0, 1], )" + any_of(positions) + R"(]], "fill": )" + any_of({"0", "5"}) +
                                R"(, "width_root": )" + any_of({"0", "0.1"}) + "}]"));
 }
 

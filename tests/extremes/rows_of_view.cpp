@@ -39,16 +39,17 @@ Row of_eye(std::string value, const std::string& eye, std::string refused = {}, 
 
 const std::string all_shadows = R"(, "self_shadow_maps": true, "cast_shadow": "soft")";
 
-void add_places(Rows& rows, const std::string& kind, const std::string& more) {
-  struct Place {
+void add_lights_at_positions(Rows& rows, const std::string& kind, const std::string& more) {
+  struct LightPosition {
     const char *name, *position;
   };
-  for (const Place& place : {Place{"on the surface", "[0, 0, 1]"}, Place{"inside the fur", "[0, 0, 1.08]"},
-                             Place{"at the tips", "[0, 0, 1.1732]"}, Place{"in the middle of the model", "[0, 0, 0]"},
-                             Place{"1e6 away", "[0, 1e6, 0]"}, Place{"1e27 away", "[0, 1e27, 0]"}}) {
+  for (const LightPosition& position :
+       {LightPosition{"on the surface", "[0, 0, 1]"}, LightPosition{"inside the fur", "[0, 0, 1.08]"},
+        LightPosition{"at the tips", "[0, 0, 1.1732]"}, LightPosition{"in the middle of the model", "[0, 0, 0]"},
+        LightPosition{"1e6 away", "[0, 1e6, 0]"}, LightPosition{"1e27 away", "[0, 1e27, 0]"}}) {
     for (const char* intensity : {"0", "1", "1e8"}) {
-      rows.push_back(of_light(kind + " " + place.name + ", intensity " + intensity,
-                              R"("kind": ")" + kind + R"(", "position": )" + place.position + R"(, "intensity": )" +
+      rows.push_back(of_light(kind + " " + position.name + ", intensity " + intensity,
+                              R"("kind": ")" + kind + R"(", "position": )" + position.position + R"(, "intensity": )" +
                                   intensity + more + all_shadows,
                               R"(, "shadow_resolution": 32)"));
     }
@@ -59,9 +60,9 @@ void add_places(Rows& rows, const std::string& kind, const std::string& more) {
 
 Rows light_rows() {
   Rows rows;
-  add_places(rows, "point", "");
-  add_places(rows, "spot", R"(, "direction": [0, 0, -1], "cone_degrees": 90)");
-  add_places(rows, "area", R"(, "direction": [0, 0, -1])");
+  add_lights_at_positions(rows, "point", "");
+  add_lights_at_positions(rows, "spot", R"(, "direction": [0, 0, -1], "cone_degrees": 90)");
+  add_lights_at_positions(rows, "area", R"(, "direction": [0, 0, -1])");
   const std::string above = R"("kind": "spot", "direction": [0, -1, 0], "intensity": 10, "position": )";
   const std::string sun = R"("direction": [0, -1, 0])";
   rows.push_back(
@@ -69,12 +70,12 @@ Rows light_rows() {
   rows.push_back(of_light("shadow map of 1 x 1, a sun", sun + all_shadows, R"(, "shadow_resolution": 1)"));
   rows.push_back(
       of_light("shadow map of 1 x 1, hard", sun + R"(, "cast_shadow": "hard")", R"(, "shadow_resolution": 1)"));
-  for (const char* place : {"[0, 1.0000001, 0]", "[0, 1.05, 0]", "[0, 1.1733, 0]"}) {
-    rows.push_back(of_light(std::string("a caster on the near plane: spot at ") + place, above + place + all_shadows,
-                            R"(, "shadow_resolution": 64)"));
+  for (const char* position : {"[0, 1.0000001, 0]", "[0, 1.05, 0]", "[0, 1.1733, 0]"}) {
+    rows.push_back(of_light(std::string("a caster on the near plane: spot at ") + position,
+                            above + position + all_shadows, R"(, "shadow_resolution": 64)"));
     for (const std::string edge : {"hard", "penumbra"}) {
-      rows.push_back(of_light("the same, " + edge + ": spot at " + place,
-                              above + place + R"(, "cast_shadow": ")" + edge + '"', R"(, "shadow_resolution": 64)"));
+      rows.push_back(of_light("the same, " + edge + ": spot at " + position,
+                              above + position + R"(, "cast_shadow": ")" + edge + '"', R"(, "shadow_resolution": 64)"));
     }
   }
   rows.push_back(of_light("a spot of 0.1 degrees", above + R"([0, 3, 0], "cone_degrees": 0.1)" + all_shadows));

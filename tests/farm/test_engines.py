@@ -99,8 +99,8 @@ class Engines(FarmTest):
         job = yaml.safe_load(text)
         self.assertEqual(self.valid(job), (True, ""))
         self.assertEqual(self.valid({**job, "spec": {**job["spec"], "completions": "4"}})[0], False, "the schema says nothing")
-        for place, members in JOB_MEMBERS.items():
-            self.assertEqual(set(job[place] if place else job), members)
+        for part, members in JOB_MEMBERS.items():
+            self.assertEqual(set(job[part] if part else job), members)
         spec = job["spec"]
         self.assertEqual((spec["completionMode"], spec["completions"], spec["parallelism"]), ("Indexed", 4, 4))
         pod = spec["template"]["spec"]

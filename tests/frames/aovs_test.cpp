@@ -70,12 +70,13 @@ TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
   double upright = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
     if (images[1].rgba[4 * i + 3] < 1) continue;
-    const glm::vec3 place = pixel(images[1], i), normal = pixel(images[2], i), tangent = pixel(images[3], i);
-    if (glm::dot(glm::normalize(place), -frame.camera.forward) < 0.5f) continue;  // the rim mixes in what lies behind
+    const glm::vec3 position = pixel(images[1], i), normal = pixel(images[2], i), tangent = pixel(images[3], i);
+    if (glm::dot(glm::normalize(position), -frame.camera.forward) < 0.5f)
+      continue;  // the rim mixes in what lies behind
     ++seen;
-    EXPECT_NEAR(glm::length(place), radius, 0.006);
-    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.position, frame.camera.forward), 0.006);
-    EXPECT_GT(glm::dot(normal, glm::normalize(place)), 0.99f);
+    EXPECT_NEAR(glm::length(position), radius, 0.006);
+    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(position - frame.camera.position, frame.camera.forward), 0.006);
+    EXPECT_GT(glm::dot(normal, glm::normalize(position)), 0.99f);
     upright += double{glm::dot(tangent, normal)};
     EXPECT_NEAR(glm::length(normal), 1, 1e-5);
   }
@@ -341,12 +342,13 @@ TEST_F(Layers, HoldEyes) {
   const glm::vec3 centre = frame.eyes[0].position;
   int seen = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
-    const glm::vec3 place = pixel(images[1], i);
-    if (glm::distance(place, centre) > 1.01f * frame.eyes[0].radius || place.z < centre.z + 0.5f * frame.eyes[0].radius)
+    const glm::vec3 position = pixel(images[1], i);
+    if (glm::distance(position, centre) > 1.01f * frame.eyes[0].radius ||
+        position.z < centre.z + 0.5f * frame.eyes[0].radius)
       continue;
     ++seen;
-    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.position, frame.camera.forward), 1e-4);
-    EXPECT_GT(glm::dot(pixel(images[2], i), glm::normalize(place - centre)), 0.8f);
+    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(position - frame.camera.position, frame.camera.forward), 1e-4);
+    EXPECT_GT(glm::dot(pixel(images[2], i), glm::normalize(position - centre)), 0.8f);
     EXPECT_EQ(pixel(images[7], i), glm::vec3(0));
     EXPECT_NEAR(images[6].rgba[4 * i], 1, 1e-4);
     const glm::vec3 direct = pixel(images[4], i), beauty = pixel(images[5], i);
@@ -381,12 +383,12 @@ TEST_F(Layers, HoldCurves) {
       model, request, {Aov::depth, Aov::position, Aov::tangent, Aov::albedo, Aov::shadow, Aov::direct, Aov::beauty});
   int seen = 0;
   for (std::size_t i = 0; i < images[0].rgba.size() / 4; ++i) {
-    const glm::vec3 albedo = pixel(images[3], i), place = pixel(images[1], i);
-    if (images[3].rgba[4 * i + 3] < 0.99f || place.z < 0.39f) continue;  // other pixels mix in what lies behind
+    const glm::vec3 albedo = pixel(images[3], i), position = pixel(images[1], i);
+    if (images[3].rgba[4 * i + 3] < 0.99f || position.z < 0.39f) continue;  // other pixels mix in what lies behind
     ++seen;
     EXPECT_NEAR(albedo.g, 0.9f, 0.02);
-    EXPECT_NEAR(place.z, 0.4f, 0.005);
-    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(place - frame.camera.position, frame.camera.forward), 0.01);
+    EXPECT_NEAR(position.z, 0.4f, 0.005);
+    EXPECT_NEAR(1 / images[0].rgba[4 * i], glm::dot(position - frame.camera.position, frame.camera.forward), 0.01);
     EXPECT_GT(std::abs(pixel(images[2], i).x), 0.99f);
     EXPECT_GT(images[5].rgba[4 * i + 1], 0);
     EXPECT_NEAR(images[4].rgba[4 * i], 1, 0.02);  // nothing shadows it

@@ -130,10 +130,10 @@ std::optional<bool> sees_pupil(const FurFrame& frame, int x, int y) {
                inner = half * half - glm::dot(from, from) + shape.cornea_radius * shape.cornea_radius;
   if (inner <= 0) return std::nullopt;
   const glm::dvec3 away = from - along * (half + std::sqrt(inner));
-  const glm::dvec3 place = away + glm::dvec3(0, 0, shape.cornea_centre);
-  if (place.z < shape.limbus || std::hypot(place.x, place.y) > 0.9 * shape.iris_radius) return std::nullopt;
+  const glm::dvec3 position = away + glm::dvec3(0, 0, shape.cornea_centre);
+  if (position.z < shape.limbus || std::hypot(position.x, position.y) > 0.9 * shape.iris_radius) return std::nullopt;
   const glm::dvec3 inside = *refract_into(along, away / shape.cornea_radius, shape.refraction);
-  const glm::dvec3 hit = place + inside * ((place.z - shape.iris_plane) / -inside.z);
+  const glm::dvec3 hit = position + inside * ((position.z - shape.iris_plane) / -inside.z);
   const double reach = std::hypot(hit.x, hit.y), edge = *frame.eyes[0].pupil.size * shape.iris_radius;
   if (std::abs(reach - edge) < 0.10 || reach > 0.85 * shape.iris_radius) return std::nullopt;  // near an edge
   return reach < edge;

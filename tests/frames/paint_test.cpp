@@ -29,7 +29,7 @@ void paint(FurredModel& model, Field field, glm::vec4 value, Where where) {
 }
 
 bool all_over(glm::vec3) { return true; }
-bool on_the_right(glm::vec3 place) { return place.x > 0; }
+bool on_the_right(glm::vec3 position) { return position.x > 0; }
 
 void flood(FurredModel& model, Field field, glm::vec4 value) { paint(model, field, value, all_over); }
 void flood(FurredModel& model, Field field, float value) { flood(model, field, glm::vec4(value, 0, 0, 0)); }
@@ -43,9 +43,9 @@ double sum_of_alpha(const Image& image) {
 double lightness(const Image& image) { return glm::dot(mean_colour(image), glm::dvec3(1.0 / 3)); }
 
 /// Mean colour of a square about a point that is given in shares of the picture.
-glm::dvec3 colour_at(const Image& image, glm::dvec2 place, int reach = 6) {
+glm::dvec3 colour_at(const Image& image, glm::dvec2 position, int reach = 6) {
   glm::dvec3 sum(0);
-  const glm::ivec2 middle(place * glm::dvec2(image.width, image.height));
+  const glm::ivec2 middle(position * glm::dvec2(image.width, image.height));
   for (int y = middle.y - reach; y < middle.y + reach; ++y) {
     for (int x = middle.x - reach; x < middle.x + reach; ++x) {
       const std::size_t i = 4 * static_cast<std::size_t>(y * image.width + x);
@@ -289,8 +289,8 @@ TEST_F(PaintedFrames, ADifferenceIsColouredWhereThereIsOne) {
   frame.overlay = Overlay::difference;
   const auto with = [&](float left, float right) {
     frame.difference.clear();
-    for (const glm::vec3 place : model.model.surface.mesh().positions)
-      frame.difference.push_back(place.x < 0 ? left : right);
+    for (const glm::vec3 position : model.model.surface.mesh().positions)
+      frame.difference.push_back(position.x < 0 ? left : right);
     const Result<Image> image = renderer->draw(frame);
     EXPECT_TRUE(image.ok());
     return *image;

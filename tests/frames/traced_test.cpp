@@ -105,8 +105,8 @@ TEST_F(Base, RaysMeetThePlaneWhereItIsDrawn) {
   for (std::size_t i = 0; i < base.depth.rgba.size() / 4; ++i) {
     const Ray ray = ray_through(frame.camera, i, base.depth.width, base.depth.height);
     const double depth = -ray.from.y / ray.along.y;
-    const glm::dvec3 place = ray.from + depth * ray.along;
-    const double off = std::max(std::abs(place.x), std::abs(place.z)) - half;
+    const glm::dvec3 position = ray.from + depth * ray.along;
+    const double off = std::max(std::abs(position.x), std::abs(position.z)) - half;
     if (std::abs(off) < 0.004) continue;  // a pixel at the edge
     ASSERT_EQ(base.depth.rgba[4 * i] > 0, off < 0) << i;
     if (off > 0) continue;
@@ -132,14 +132,14 @@ TEST_F(Base, SkinIsLitAsIfNothingGrewOnIt) {
                             .intensity = 2}};
   const FrameRequest request = askew(120, 90);
   const FurFrame frame = frame_of(*renderer, model, request);
-  const glm::dvec3 place_of_light(frame.lights[1].position);
+  const glm::dvec3 light_position(frame.lights[1].position);
   const Backplate base = base_of(model, request);
   int lit = 0;
   for (std::size_t i = 0; i < base.depth.rgba.size() / 4; ++i) {
     if (base.beauty.rgba[4 * i + 3] == 0) continue;
     const Ray ray = ray_through(frame.camera, i, base.depth.width, base.depth.height);
-    const glm::dvec3 place = ray.from + ray.along / double(base.depth.rgba[4 * i]), normal = pixel(base.normal, i);
-    const glm::dvec3 apart = place_of_light - place, to_light = glm::normalize(apart);
+    const glm::dvec3 position = ray.from + ray.along / double(base.depth.rgba[4 * i]), normal = pixel(base.normal, i);
+    const glm::dvec3 apart = light_position - position, to_light = glm::normalize(apart);
     glm::dvec3 light =
         0.7 * glm::dvec3(1, 0.5, 0.25) * std::max(glm::dot(normal, glm::normalize(glm::dvec3(1, 1, 0.5))), 0.0);
     light += 2.0 * glm::dvec3(glm::vec3(0.2f, 0.6f, 1)) * std::max(-glm::dot(to_light, aim), 0.0) *

@@ -14,7 +14,7 @@ namespace pelage::testing {
 
 /// The inputs of a fibre, as in lighting.glsl.
 struct Case {
-  glm::vec3 place, normal, tangent, to_camera, colour;
+  glm::vec3 position, normal, tangent, to_camera, colour;
   float height, above, strand;
 };
 
@@ -67,9 +67,9 @@ struct Arriving {
   glm::dvec3 to_light{0}, radiance{0};
 };
 
-inline Arriving arriving_from(const FurLight& light, const glm::dvec3& place) {
+inline Arriving arriving_from(const FurLight& light, const glm::dvec3& position) {
   if (light.kind == LightKind::directional) return {-glm::dvec3(light.direction), glm::dvec3(light.radiance)};
-  const glm::dvec3 apart = glm::dvec3(light.position) - place;
+  const glm::dvec3 apart = glm::dvec3(light.position) - position;
   Arriving found{glm::normalize(apart), glm::dvec3(light.radiance) / glm::dot(apart, apart)};
   if (light.kind == LightKind::spot) {
     const double inside = glm::dot(-found.to_light, glm::dvec3(light.direction));
@@ -100,7 +100,7 @@ inline Expected expected_light(const FurFrame& frame, const FibreShading& shadin
   const glm::dvec3 g = (1 - look.ambient_floor) * open + look.ambient_floor;
   Expected sum;
   for (const FurLight& light : frame.lights) {
-    const Arriving from = arriving_from(light, glm::dvec3(c.place));
+    const Arriving from = arriving_from(light, glm::dvec3(c.position));
     const double facing = glm::dot(normal, from.to_light);
     const ScatterGeometry geometry{glm::dvec3(c.tangent), normal, from.to_light, glm::dvec3(c.to_camera)};
     const double behind = backlight_fade(look.shading, facing, look.back_attenuation);

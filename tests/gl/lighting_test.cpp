@@ -36,7 +36,7 @@ std::vector<Case> random_cases() {
   std::vector<Case> made;
   for (int i = 0; i < cases; ++i) {
     Case c;
-    c.place = 0.6f * glm::vec3(number(), number(), number()) - 0.3f;
+    c.position = 0.6f * glm::vec3(number(), number(), number()) - 0.3f;
     c.normal = direction(), c.tangent = direction(), c.to_camera = direction();
     c.colour = {number(), number(), number()};
     c.height = number(), c.above = 3 * number(), c.strand = number();
@@ -56,7 +56,7 @@ class Lighting : public OnBackend {
     const Buffer block = send_block(gl(), 0, make_frame_block(frame, Slices{}, false, side));
     const Buffer scattering = send_block(gl(), 3, scattering_block(frame.look));
     std::vector<glm::vec4> texels;
-    for (const Case& c : of) texels.emplace_back(c.place, c.height);
+    for (const Case& c : of) texels.emplace_back(c.position, c.height);
     for (const Case& c : of) texels.emplace_back(c.normal, c.above);
     for (const Case& c : of) texels.emplace_back(c.tangent, c.strand);
     for (const Case& c : of) texels.emplace_back(c.to_camera, 0);
@@ -203,13 +203,13 @@ TEST_P(Lighting, LightsFallWithTheSquareSpotsToTheirEdgeAndAreasByTheCosine) {
     const std::vector<glm::vec4> values = on_gpu(arriving, frame, of);
     int part = 0;
     for (std::size_t i = 0; i < of.size(); ++i) {
-      const Arriving truth = arriving_from(light, glm::dvec3(of[i].place));
+      const Arriving truth = arriving_from(light, glm::dvec3(of[i].position));
       ASSERT_LT(apart(values[i], truth.to_light), 1e-5);
       ASSERT_NEAR(values[i].a, truth.radiance.g, 2e-5 * std::max(1.0, truth.radiance.g));
       const double full =
           truth.radiance.g /
           arriving_from({.kind = LightKind::point, .position = light.position, .radiance = light.radiance},
-                        glm::dvec3(of[i].place))
+                        glm::dvec3(of[i].position))
               .radiance.g;
       part += full > 0.01 && full < 0.99;
     }
@@ -251,10 +251,10 @@ class ShadowFormulas : public Lighting {
   }
 
   /// Points up to `deepest` below the skin that the light sees.
-  static std::vector<Case> places_below(double deepest) {
+  static std::vector<Case> positions_below(double deepest) {
     std::vector<Case> of = random_cases();
     for (std::size_t i = 0; i < of.size(); ++i) {
-      of[i].place.z = static_cast<float>(-deepest * double(i) / cases);
+      of[i].position.z = static_cast<float>(-deepest * double(i) / cases);
       of[i].height = static_cast<float>(i) / cases;
     }
     return of;
@@ -263,13 +263,13 @@ class ShadowFormulas : public Lighting {
 
 /// S = clamp(1 - Cscale sw / sd, 0, 1) behind what the light sees, 1 in front of it (GPU fur 4), past the bias.
 TEST_P(ShadowFormulas, SoftShadowIsTheWidthOverTheDepth) {
-  const std::vector<Case> of = places_below(0.3);
+  const std::vector<Case> of = positions_below(0.3);
   for (const float white : {0.4f, 0.55f, 0.7f, 1.0f}) {
     for (const float scale : {0.5f, 2.0f, 10.0f}) {
       const std::vector<glm::vec4> values = asked({.white = white, .scale = scale}, of);
       const double sw = 0.03 * std::max(2 * double(white) - 1, 0.0);
       for (std::size_t i = 0; i < of.size(); ++i) {
-        const double sd = -double(of[i].place.z);
+        const double sd = -double(of[i].position.z);
         if (sd > 0.0059 && sd < 0.0181) continue;  // the bias fades in
         const double expected = sd < 0.006 ? 1 : 1 - std::clamp(double(scale) * sw / sd, 0.0, 1.0);
         ASSERT_NEAR(values[i].r, expected, 2e-5) << white << " " << sd;
@@ -279,10 +279,10 @@ TEST_P(ShadowFormulas, SoftShadowIsTheWidthOverTheDepth) {
 }
 
 TEST_P(ShadowFormulas, HardShadowIsAllOrNothingPastTheBias) {
-  const std::vector<Case> of = places_below(0.02);
+  const std::vector<Case> of = positions_below(0.02);
   const std::vector<glm::vec4> hard = asked({.soft = false}, of), none = asked({.scale = -1}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    const double sd = -double(of[i].place.z);
+    const double sd = -double(of[i].position.z);
     ASSERT_EQ(none[i].r, 1);
     if (std::abs(sd - 0.006) < 1e-5) continue;
     ASSERT_EQ(hard[i].r, sd < 0.006 ? 1 : 0);
@@ -292,7 +292,7 @@ TEST_P(ShadowFormulas, HardShadowIsAllOrNothingPastTheBias) {
 /// The maps hold exp(-.2 (16 - i)) at boundary i, and transmittance is interpolated between boundaries. The lookup
 /// starts a quarter of a shell (half a slice) higher, because that part is the strand itself.
 TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
-  const std::vector<Case> of = places_below(0);
+  const std::vector<Case> of = positions_below(0);
   const std::vector<glm::vec4> values = asked({}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
     const double layer = std::min(16 * double(of[i].height) + 0.25, 16.0), low = std::min(std::floor(layer), 15.0);
@@ -300,20 +300,20 @@ TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
     ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
   }
   for (const glm::vec4& value : asked({.shells = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate
-  const std::vector<Case> behind = places_below(0.3);
+  const std::vector<Case> behind = positions_below(0.3);
   const std::vector<glm::vec4> other = asked({}, behind);
   EXPECT_EQ(other[cases - 1].g, 7) << "the maps show another part of the body";
 }
 
 /// The first row of a map is its upper side as the light sees it.
 TEST_P(ShadowFormulas, MapsStandUpright) {
-  std::vector<Case> of = places_below(0.3);
-  for (Case& c : of) c.place.y = c.place.y > 0 ? 0.6f : -0.6f;
+  std::vector<Case> of = positions_below(0.3);
+  for (Case& c : of) c.position.y = c.position.y > 0 ? 0.6f : -0.6f;
   const std::vector<glm::vec4> values = asked({.soft = false, .lower = 0.0f}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    const double sd = -double(of[i].place.z) + (of[i].place.y > 0 ? 0 : 0.5);
+    const double sd = -double(of[i].position.z) + (of[i].position.y > 0 ? 0 : 0.5);
     if (std::abs(sd - 0.006) < 1e-5) continue;
-    ASSERT_EQ(values[i].r, sd < 0.006 ? 1 : 0) << of[i].place.y;
+    ASSERT_EQ(values[i].r, sd < 0.006 ? 1 : 0) << of[i].position.y;
   }
 }
 

@@ -37,7 +37,7 @@ class Shadows : public WithRenderer {
     return shares;
   }
   /// Positions of the request's pixels, and the normals of the skin there.
-  std::vector<FloatImage> places_of(const FurredModel& model, FrameRequest request) {
+  std::vector<FloatImage> positions_of(const FurredModel& model, FrameRequest request) {
     request.knobs = {};
     return renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::position, Aov::normal}).value();
   }
@@ -121,12 +121,12 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
   for (const glm::dvec3 along : {glm::dvec3(0.3, -1, -0.6), glm::dvec3(-1, 0.4, -0.5)}) {
     model.settings.lights = {{.direction = along, .cast_shadow = CastShadow::hard}};
     const std::vector<double> shares = share_left(model, request);
-    const std::vector<FloatImage> places = places_of(model, request);
+    const std::vector<FloatImage> positions = positions_of(model, request);
     const glm::dvec3 to_light = -glm::normalize(along);
     int blocked = 0, open = 0, wrong = 0;
-    for (std::size_t i = 0; i < places[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&places[layer].rgba[i])); };
-      if (places[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
+    for (std::size_t i = 0; i < positions[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&positions[layer].rgba[i])); };
+      if (positions[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
       const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
       (hidden ? blocked : open) += 1;
       wrong += hidden != (shares[i / 4] < 0.5);
@@ -158,13 +158,13 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
     model.settings.lights = {
         {.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
     const std::vector<double> shares = share_left(model, request);
-    const std::vector<FloatImage> places = places_of(model, request);
+    const std::vector<FloatImage> positions = positions_of(model, request);
     const FurFrame frame = make_frame(model.view(), request);
     const std::vector<glm::dvec3> rays = rays_to(frame.lights[0], 64);
     double error = 0, bias = 0, count = 0, between = 0;
-    for (std::size_t i = 0; i < places[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&places[layer].rgba[i])); };
-      if (places[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
+    for (std::size_t i = 0; i < positions[0].rgba.size(); i += 4) {
+      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&positions[layer].rgba[i])); };
+      if (positions[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
       double open = 0;
       for (const glm::dvec3& ray : rays)
         open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
@@ -190,10 +190,10 @@ TEST_P(Shadows, PenumbrasAreThoseOfFurNotOfSkin) {
     model.settings.lights = {light};
     FrameRequest request = shells_frame(AutoView::front, 160);
     request.knobs.shells.shadow_maps = true;
-    const FloatImage lit = light_of(model, request), places = places_of(model, request)[0];
+    const FloatImage lit = light_of(model, request), positions = positions_of(model, request)[0];
     double sum = 0;
     for (std::size_t i = 0; i < lit.rgba.size(); i += 4) {
-      const bool below = places.rgba[i + 3] > 0.9f && places.rgba[i + 1] < -0.1f;
+      const bool below = positions.rgba[i + 3] > 0.9f && positions.rgba[i + 1] < -0.1f;
       sum += below ? double(lit.rgba[i + 1]) : 0;
     }
     return sum;

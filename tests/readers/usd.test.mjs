@@ -23,10 +23,10 @@ const arrays = ["int[] curveVertexCounts", "point3f[] points", "float[] widths",
 /** Returns the bounds of all points, extended by half of each point's width. */
 function bounds_of(points, widths) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  points.forEach((place, k) => {
+  points.forEach((position, k) => {
     const half = widths[Math.floor(k / 3)] / 2;
-    low[k % 3] = Math.min(low[k % 3], place - half);
-    high[k % 3] = Math.max(high[k % 3], place + half);
+    low[k % 3] = Math.min(low[k % 3], position - half);
+    high[k % 3] = Math.max(high[k % 3], position + half);
   });
   return [...low, ...high];
 }

@@ -35,7 +35,7 @@ class Artist {
     const SceneView view = now->view();
     const Mesh& mesh = view.model.surface.mesh();
     size_ = mesh.size;
-    for (const glm::vec3 place : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(place)));
+    for (const glm::vec3 position : mesh.positions) positions_.push_back(mesh.to_model(glm::dvec3(position)));
   }
 
   Command stroke() {
@@ -58,12 +58,12 @@ class Artist {
   template <class Tool>
   Command with_stroke(Tool tool) {
     Stroke stroke;
-    const glm::dvec3 start = places_[below(places_.size())];
+    const glm::dvec3 start = positions_[below(positions_.size())];
     const glm::dvec3 step =
         0.02 * size_ * glm::dvec3(random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1));
     for (int i = 0; i < 4; ++i) {
       StrokeSample sample;
-      sample.place = PositionSample{start + static_cast<double>(i) * step};
+      sample.position = PositionSample{start + static_cast<double>(i) * step};
       stroke.samples.push_back(sample);
     }
     tool.stroke = stroke;
@@ -72,7 +72,7 @@ class Artist {
   }
 
   Random random_;
-  std::vector<glm::dvec3> places_;
+  std::vector<glm::dvec3> positions_;
   double size_ = 1;
 };
 

@@ -81,8 +81,8 @@ test("an eye stands where the model is pressed, with its pair, and no fur grows 
   const [one, other] = eyes.slice(-2).map(({position}) => position);
   const {bounds, size} = await server.get(`/v1/scenes/${id}`);
   assert.ok(Math.abs(one[0] + other[0] - bounds.min[0] - bounds.max[0]) < 0.03 * size, "a pair in the mirror");
-  const place = {nearest: one};
-  assert.ok((await server.post(`/v1/scenes/${id}/pick`, place)).painted.density < 0.2);
+  const query = {nearest: one};
+  assert.ok((await server.post(`/v1/scenes/${id}/pick`, query)).painted.density < 0.2);
   await page.waitForFunction(() => !document.querySelector('[aria-label="Undo"]').disabled);  // the page knows of it too
   await page.keyboard.press("Control+z");
   await page.waitForFunction(() => document.querySelector('[aria-label="Undo"]').disabled);

@@ -40,7 +40,7 @@ test("a drag on the fur is one undo step of the comb, and the picture follows", 
   await studio.finish();
 });
 
-/** Places along the top of the creature's head, with the fur that grows there. */
+/** Positions along the top of the creature's head, with the fur that grows there. */
 function crest() {
   const view = {camera: {auto: "top"}, width: 400, height: 400};
   return Promise.all([270, 280, 290, 300].map((y) => server.post(`/v1/scenes/${id}/pick`, {view, pixel: [200, y], reach: "skin"})));

@@ -36,7 +36,7 @@ test("the server is killed in the middle of a stroke and comes back", async () =
   await studio.ready();
   const path = Array.from({length: 40}, (_, k) => [0.42 + 0.004 * k, 0.5 - 0.001 * k]);
   const points = [];
-  for (const place of path) points.push(await studio.at(...place));
+  for (const position of path) points.push(await studio.at(...position));
   await studio.page.mouse.move(...points[0]);
   await studio.page.mouse.down();
   for (const point of points.slice(1, 15)) await studio.page.mouse.move(...point);

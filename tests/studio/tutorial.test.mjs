@@ -22,7 +22,7 @@ async function traced(studio, passes) {
   await studio.page.waitForFunction((wanted) => window.marks.frame.filter(({stage}) => stage === "traced").length >= wanted, passes, {timeout: 300000});
 }
 
-/** A picture for the page, with strands and with the pointer at a place of the picture. */
+/** A picture for the page, with strands and with the pointer at a position in the picture. */
 async function picture(studio, name, pointer = [0.02, 0.5]) {
   if (!folder) return;
   await trace(studio, true);

@@ -39,9 +39,9 @@ glm::dvec3 triple_of(const std::vector<double>& numbers, std::size_t first) {
 
 /// Converts between positions on the command line, model coordinates and fractions of the bounding box, [0, 1], and
 /// formats them as recipes do. Command-line positions are model coordinates with `world`, else fractions.
-class PlaceConverter {
+class PositionConverter {
  public:
-  PlaceConverter(const Bounds& box, bool world) : box_(box), world_(world) {}
+  PositionConverter(const Bounds& box, bool world) : box_(box), world_(world) {}
 
   glm::dvec3 position(glm::dvec3 given) const { return world_ ? given : box_.min + given * extent(); }
   glm::dvec3 shares(glm::dvec3 position) const {
@@ -73,23 +73,23 @@ Result<PickQuery> pixel_query(const Options& options) {
   return PickQuery{request, encode(request)};
 }
 
-Result<PickQuery> ray_query(const Options& options, const PlaceConverter& places) {
+Result<PickQuery> ray_query(const Options& options, const PositionConverter& converter) {
   const auto numbers = parse_numbers(options.ray, 6, "ray");
   if (!numbers) return numbers.status();
-  const PickRay ray{places.position(triple_of(*numbers, 0)), triple_of(*numbers, 3)};
+  const PickRay ray{converter.position(triple_of(*numbers, 0)), triple_of(*numbers, 3)};
   return PickQuery{{.ray = ray},
-                   fmt::format(R"({{"ray": {{"origin": {}, "direction": {}}}}})", places.at(ray.origin),
-                               PlaceConverter::list(ray.direction))};
+                   fmt::format(R"({{"ray": {{"origin": {}, "direction": {}}}}})", converter.at(ray.origin),
+                               PositionConverter::list(ray.direction))};
 }
 
-Result<PickQuery> nearest_query(const Options& options, const PlaceConverter& places) {
+Result<PickQuery> nearest_query(const Options& options, const PositionConverter& converter) {
   const auto numbers = parse_numbers(options.nearest, 3, "nearest");
   if (!numbers) return numbers.status();
-  const glm::dvec3 position = places.position(triple_of(*numbers, 0));
-  return PickQuery{{.nearest = position}, "{\"nearest\": " + places.at(position) + "}"};
+  const glm::dvec3 position = converter.position(triple_of(*numbers, 0));
+  return PickQuery{{.nearest = position}, "{\"nearest\": " + converter.at(position) + "}"};
 }
 
-Result<PickQuery> farthest_query(const Options& options, const PlaceConverter& places) {
+Result<PickQuery> farthest_query(const Options& options, const PositionConverter& converter) {
   const auto direction = parse_numbers(options.farthest, 3, "farthest");
   if (!direction) return direction.status();
   PickFarthest farthest{.direction = triple_of(*direction, 0)};
@@ -97,30 +97,30 @@ Result<PickQuery> farthest_query(const Options& options, const PlaceConverter& p
   if (!options.box.empty()) {
     const auto corners = parse_numbers(options.box, 6, "box");
     if (!corners) return corners.status();
-    farthest.min = places.position(triple_of(*corners, 0));
-    farthest.max = places.position(triple_of(*corners, 3));
-    box = fmt::format(R"(, "min": {}, "max": {})", places.at(*farthest.min), places.at(*farthest.max));
+    farthest.min = converter.position(triple_of(*corners, 0));
+    farthest.max = converter.position(triple_of(*corners, 3));
+    box = fmt::format(R"(, "min": {}, "max": {})", converter.at(*farthest.min), converter.at(*farthest.max));
   }
   return PickQuery{
       {.farthest = farthest},
-      fmt::format(R"({{"farthest": {{"direction": {}{}}}}})", PlaceConverter::list(farthest.direction), box)};
+      fmt::format(R"({{"farthest": {{"direction": {}{}}}}})", PositionConverter::list(farthest.direction), box)};
 }
 
-Result<PickQuery> query_of(const Options& options, const PlaceConverter& places) {
-  if (!options.ray.empty()) return ray_query(options, places);
-  if (!options.nearest.empty()) return nearest_query(options, places);
-  if (!options.farthest.empty()) return farthest_query(options, places);
+Result<PickQuery> query_of(const Options& options, const PositionConverter& converter) {
+  if (!options.ray.empty()) return ray_query(options, converter);
+  if (!options.nearest.empty()) return nearest_query(options, converter);
+  if (!options.farthest.empty()) return farthest_query(options, converter);
   return pixel_query(options);
 }
 
 /// Prints the position in each form that commands and recipes take.
-void print_forms(const Options& options, const PickAnswer& answer, const PlaceConverter& places,
+void print_forms(const Options& options, const PickAnswer& answer, const PositionConverter& converter,
                  const PickQuery& query) {
   const std::string name = options.place_name.empty() ? "place" : options.place_name;
-  fmt::print("in a recipe {}\n", places.at(answer.position));
-  fmt::print("  this model  {}\n", PlaceConverter::list(answer.position));
+  fmt::print("in a recipe {}\n", converter.at(answer.position));
+  fmt::print("  this model  {}\n", PositionConverter::list(answer.position));
   fmt::print("  a sample    {{\"triangle\": {}, \"barycentric\": {}}}\n", answer.triangle,
-             PlaceConverter::list(answer.barycentric));
+             PositionConverter::list(answer.barycentric));
   fmt::print("  a step      {{\"pick\": {}, \"as\": {}}}\n", query.in_recipe, json_text(name));
 }
 
@@ -159,8 +159,8 @@ ExitCode pick_position(Session& session) {
   if (!path) return report(path.status());
   const auto box = box_of(session, *path);
   if (!box) return report(box.status());
-  const PlaceConverter places(*box, options.world);
-  const auto query = query_of(options, places);
+  const PositionConverter converter(*box, options.world);
+  const auto query = query_of(options, converter);
   const auto answer = query ? send_pick(session, *path, *query) : Result<HttpAnswer>(query.status());
   if (!answer) return report(answer.status());
   const auto pick = decode_answer<PickAnswer>(answer->body);
@@ -171,9 +171,9 @@ ExitCode pick_position(Session& session) {
     if (!options.json) fmt::print("{}\n", pick->strand ? "no skin there" : "nothing there");
     return options.places.empty() ? done : report(failure(Code::invalid, "There is no place to store."));
   }
-  if (!options.json) print(*pick), print_forms(options, *pick, places, *query);
+  if (!options.json) print(*pick), print_forms(options, *pick, converter, *query);
   if (options.places.empty()) return done;
-  const Status saved = save_place(options, places.shares(pick->position));
+  const Status saved = save_place(options, converter.shares(pick->position));
   return saved.ok() ? done : report(saved);
 }
 

@@ -61,10 +61,10 @@ std::string described(const std::string& commands) {
 
 namespace {
 
-void print(const CarriedReport& carried) {
-  fmt::print("groom       kept; {} of {} vertices lie farther than .05 sizes from the model before{}\n", carried.far,
-             carried.vertices, carried.align == Alignment::box ? ", aligned by their boxes" : "");
-  fmt::print("before      {} is the scene as it was, with its undo log\n", carried.before);
+void print(const TransferReport& transfer) {
+  fmt::print("groom       kept; {} of {} vertices lie farther than .05 sizes from the model before{}\n", transfer.far,
+             transfer.vertices, transfer.align == Alignment::box ? ", aligned by their boxes" : "");
+  fmt::print("before      {} is the scene as it was, with its undo log\n", transfer.before);
 }
 
 }  // namespace
@@ -99,7 +99,7 @@ void print(const SceneSummary& summary) {
   fmt::print("undo, redo  {}, {} steps\nfields      {}\n", summary.undo_steps, summary.redo_steps,
              to_hex(summary.fields_hash));
   if (!summary.damage.empty()) fmt::print("damage      {}\n", summary.damage);
-  if (summary.carried) print(*summary.carried);
+  if (summary.transfer) print(*summary.transfer);
 }
 
 void print(const std::vector<SceneSummary>& summaries) {

@@ -139,8 +139,8 @@ def sheet(pictures: Sequence[Tuple[str, Image.Image]], columns: int = 0) -> Imag
     rows = math.ceil(len(pictures) / columns)
     whole = Image.new("RGB", (columns * width, rows * (height + LABEL)), BACKGROUND)
     draw = ImageDraw.Draw(whole)
-    for place, (label, one) in enumerate(pictures):
-        left, top = place % columns * width, place // columns * (height + LABEL)
+    for index, (label, one) in enumerate(pictures):
+        left, top = index % columns * width, index // columns * (height + LABEL)
         whole.paste(one, (left, top))
         box = draw.textbbox((0, 0), label, font=font())
         draw.text((left + (width - box[2]) // 2, top + height + 2), label, TEXT, font=font())

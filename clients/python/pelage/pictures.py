@@ -199,9 +199,9 @@ class Pictures(Requests):
     # The model
 
     def _pick(self, members: Dict[str, Any], x: float, y: float, reach: str) -> Pick:
-        return self._place({"view": frame_request(members), "pixel": [x, y], "reach": reach})
+        return self._post_pick({"view": frame_request(members), "pixel": [x, y], "reach": reach})
 
-    def _place(self, request: Mapping[str, Any]) -> Pick:
+    def _post_pick(self, request: Mapping[str, Any]) -> Pick:
         return cast(Pick, self._connection.post(f"{self._path}/pick", request, changes=False).json)
 
     def _mesh(self, members: Dict[str, Any]) -> bytes:

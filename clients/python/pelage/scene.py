@@ -200,8 +200,8 @@ class Scene(Commands[CommandAnswer], Pictures):
         return cast(StoredPicture, answer.json)
 
     def pick_ray(self, origin: Sequence[float], direction: Sequence[float]) -> Pick:
-        """The first place of the surface that a ray hits; `{"hit": False}` where it passes by. Model coordinates."""
-        return self._place({"ray": {"origin": list(origin), "direction": list(direction)}})
+        """The first position on the surface that a ray hits; `{"hit": False}` where it passes by. Model coordinates."""
+        return self._post_pick({"ray": {"origin": list(origin), "direction": list(direction)}})
 
     def pick_farthest(
         self,
@@ -209,17 +209,17 @@ class Scene(Commands[CommandAnswer], Pictures):
         min: Optional[Sequence[float]] = None,
         max: Optional[Sequence[float]] = None,
     ) -> Pick:
-        """The place that lies farthest along a direction, as the tip of an ear, of what lies in a box.
+        """The position that lies farthest along a direction, as the tip of an ear, of what lies in a box.
 
         min, max: The lowest and the highest corner of the box, model coordinates; the whole model without them.
         """
         corners = {"min": min, "max": max}
         box = {name: list(corner) for name, corner in corners.items() if corner is not None}
-        return self._place({"farthest": {"direction": list(direction), **box}})
+        return self._post_pick({"farthest": {"direction": list(direction), **box}})
 
     def pick_nearest(self, position: Sequence[float]) -> Pick:
-        """The place of the surface that is nearest to a position in model coordinates."""
-        return self._place({"nearest": list(position)})
+        """The position on the surface that is nearest to another in model coordinates."""
+        return self._post_pick({"nearest": list(position)})
 
     def recipe_steps(
         self,

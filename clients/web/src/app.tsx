@@ -13,7 +13,7 @@ import {KeySheet} from "./shell/key_sheet";
 import {listenToKeys} from "./shell/keys";
 import {Messages} from "./shell/messages";
 import {OfflineBanner, warnOfLoss} from "./shell/offline";
-import {panel, theme} from "./shell/places";
+import {panel, theme} from "./shell/ui_state";
 import {SheetDialog} from "./shell/sheet";
 import {TokenDialog} from "./shell/token";
 import {TopBar} from "./shell/top_bar";

@@ -27,9 +27,9 @@ vec3 lean_at(uint first, float s) {
   int k = int(clamp(at, 0.0, float(lean_cells) - 1.0));
   float x = at - float(k), y = 1.0 - x;
   vec4 low = lean_knot(across.w, k), high = lean_knot(across.w, k + 1);
-  vec2 place = y * y * (1.0 + 2.0 * x) * low.xy + x * x * (1.0 + 2.0 * y) * high.xy;
-  place += (x * y * y * low.zw - x * x * y * high.zw) / float(lean_cells);
-  return up.w * (place.x * across.xyz + place.y * up.xyz);
+  vec2 position = y * y * (1.0 + 2.0 * x) * low.xy + x * x * (1.0 + 2.0 * y) * high.xy;
+  position += (x * y * y * low.zw - x * x * y * high.zw) / float(lean_cells);
+  return up.w * (position.x * across.xyz + position.y * up.xyz);
 }
 
 void main() {

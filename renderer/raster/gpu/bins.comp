@@ -49,7 +49,7 @@ void enter(uint tile, uint knot, float inverse) {
 void enter_segment(uint knot) {
   Knot a = read_knot(knot), b = read_knot(knot + 1);
   if (!(a.inverse > 0.0 && b.inverse > 0.0)) return;
-  float wide = max(max(a.thickness, b.thickness), 1.0) + 0.5;
+  float wide = max(max(a.half_width, b.half_width), 1.0) + 0.5;
   vec2 corner = vec2(box.xy), low = min(a.at, b.at) - wide - corner, high = max(a.at, b.at) + wide - corner;
   if (any(lessThanEqual(high, vec2(0.0))) || any(greaterThanEqual(low, vec2(box.zw) - corner))) return;
   ivec2 first = ivec2(clamp(low / float(tile_side), vec2(0.0), vec2(tiles - 1)));

@@ -15,7 +15,7 @@ const uint together = 64;        // number of segments that a group loads at a t
 // A segment over the tile, in pixels from the tile's corner.
 struct FlatSegment {
   vec2 at, direction;  // start, and unit direction
-  float over_reach, reach, thickness, more_thickness;
+  float over_reach, reach, half_width, more_half_width;
   float inverse, more_inverse, sharpness;
   uint knot, blocks;  // `blocks`: a bit for each block of the tile that it may touch
   vec3 light, more_light;
@@ -30,8 +30,8 @@ uvec2 pixel_of(uint lane) {
   return uvec2(block % 2 * 8 + in_block % 8, block / 2 * 4 + in_block / 8);
 }
 
-uint touched_blocks(vec2 a, vec2 b, float thickness) {
-  float wide = max(thickness, 1.0) + 0.6;
+uint touched_blocks(vec2 a, vec2 b, float half_width) {
+  float wide = max(half_width, 1.0) + 0.6;
   vec2 low = min(a, b) - wide, high = max(a, b) + wide;
   if (any(lessThanEqual(high, vec2(0.0))) || any(greaterThanEqual(low, vec2(tile_side)))) return 0;
   uvec2 first = uvec2(max(low, 0.0)) / uvec2(8, 4), last = uvec2(min(high, float(tile_side) - 1.0)) / uvec2(8, 4);
@@ -50,8 +50,8 @@ FlatSegment flat_segment(uint knot, vec2 corner) {
   flattened.over_reach = 1.0 / flattened.reach;
   flattened.at = a - corner;
   flattened.direction = (b - a) * flattened.over_reach;
-  flattened.thickness = of_a.y;
-  flattened.more_thickness = of_b.y - of_a.y;
+  flattened.half_width = of_a.y;
+  flattened.more_half_width = of_b.y - of_a.y;
   flattened.inverse = of_a.x;
   flattened.more_inverse = of_b.x - of_a.x;
   flattened.sharpness = clamp(8.0 * max(of_a.y, of_b.y) - 3.0, 1.0, 8.0);
@@ -66,10 +66,10 @@ FlatSegment flat_segment(uint knot, vec2 corner) {
 float covered_by(FlatSegment s, vec2 off, out float share) {
   float along = dot(off, s.direction), beside = abs(off.y * s.direction.x - off.x * s.direction.y);
   share = clamp(along * s.over_reach, 0.0, 1.0);
-  float thickness = share * s.more_thickness + s.thickness, drawn = max(thickness, 1.0);
+  float half_width = share * s.more_half_width + s.half_width, drawn = max(half_width, 1.0);
   float covered = clamp(drawn - beside + 0.5, 0.0, 1.0) - clamp(0.5 - drawn - beside, 0.0, 1.0);
   float within = clamp(along * s.sharpness + 0.5, 0.0, 1.0) - clamp((along - s.reach) * s.sharpness + 0.5, 0.0, 1.0);
-  return min(covered * within * min(thickness, 1.0), 1.0);
+  return min(covered * within * min(half_width, 1.0), 1.0);
 }
 
 // Returns the sum after a segment is added. `weight` is the segment's weight, `through` the transmittance in front of
@@ -94,8 +94,8 @@ void main() {
   uint first = tile_entries[tile], end = min(tile_entries[tile + 1], entry_capacity);
   uvec2 pixel = pixel_of(lane);
   vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side), at = vec2(pixel) + 0.5;
-  uint own_block = 1u << lane / 32, place = tile * tile_pixels + pixel.y * tile_side + pixel.x;
-  float behind = ends[place], through = 1.0;
+  uint own_block = 1u << lane / 32, index = tile * tile_pixels + pixel.y * tile_side + pixel.x;
+  float behind = ends[index], through = 1.0;
   vec3 sum = vec3(0.0);
   for (uint begin = first; begin < end; begin += together) {
     uint count = min(together, end - begin);
@@ -115,5 +115,5 @@ void main() {
     if (still_transparent == 0) break;
     barrier();
   }
-  sums[place] = vec4(sum, through);
+  sums[index] = vec4(sum, through);
 }

@@ -37,8 +37,8 @@ void main() {
   vec2 corner = vec2(box.xy) + vec2(gl_WorkGroupID.xy * tile_side);
   if (lane < side * side) dark[lane] = ground_darkness(ray_through(corner + float(apart) * vec2(lane % side, lane / side)));
   barrier();
-  vec2 place = (vec2(gl_LocalInvocationID.xy) + 0.5) / float(apart), share = fract(place);
-  uint first = uint(place.y) * side + uint(place.x);
+  vec2 position = (vec2(gl_LocalInvocationID.xy) + 0.5) / float(apart), share = fract(position);
+  uint first = uint(position.y) * side + uint(position.x);
   float above = mix(dark[first], dark[first + 1], share.x), below = mix(dark[first + side], dark[first + side + 1], share.x);
   sums[at] = vec4(sum.rgb, sum.a * (1.0 - mix(above, below, share.y)));
 }

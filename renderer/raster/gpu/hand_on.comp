@@ -45,8 +45,8 @@ vec3 light_of(LightAlong light, int point) {
   return lit_points[tip].rgb - lit_points[tip - 1u].rgb;
 }
 // Returns the weight of a point's light at a position at most one away from it; that of the tip stays 1 beyond it.
-float share_of(LightAlong light, int point, float place) {
-  float after = place - float(point);
+float share_of(LightAlong light, int point, float coordinate) {
+  float after = coordinate - float(point);
   return after > 0.0 && point + 1 == light.count ? 1.0 : max(1.0 - abs(after), 0.0);
 }
 vec3 colour_of(Part part, uint strand, LightAlong light, int knot) {
@@ -89,10 +89,10 @@ void even_out(inout SegmentLight segment) {
   segment.at_end -= from_end - from_begin;
 }
 
-void add(inout SegmentLight segment, LightAlong light, float place, float share, vec3 colour) {
-  while (place >= float(segment.low + 1) && segment.low + 1 < light.count) next_point(segment, light);
-  segment.mean += colour * (share * share_of(light, segment.low, place));
-  segment.next_mean += colour * (share * share_of(light, segment.low + 1, place));
+void add(inout SegmentLight segment, LightAlong light, float coordinate, float share, vec3 colour) {
+  while (coordinate >= float(segment.low + 1) && segment.low + 1 < light.count) next_point(segment, light);
+  segment.mean += colour * (share * share_of(light, segment.low, coordinate));
+  segment.next_mean += colour * (share * share_of(light, segment.low + 1, coordinate));
 }
 
 SegmentLight segment_light(Part part, uint strand, LightAlong light, int begin, int end) {

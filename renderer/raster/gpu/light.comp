@@ -62,9 +62,9 @@ LitStrand lit_strand_of(Part part, uint strand, LitKnots lit) {
   vec3 root = knot_position(part, strand, 0), before = root;
   float arc_length = 0.0;
   for (int p = 0; p < lit.count; ++p) {
-    vec3 place = knot_position(part, strand, lit_knot(lit, part.segments, p));
-    arc_length += length(place - before);
-    before = place;
+    vec3 position = knot_position(part, strand, lit_knot(lit, part.segments, p));
+    arc_length += length(position - before);
+    before = position;
   }
   LitStrand of;
   of.depth = strand_depth(part, strand, root, before, arc_length);
@@ -78,11 +78,11 @@ LitStrand lit_strand_of(Part part, uint strand, LitKnots lit) {
 
 Fibre fibre_at(Part part, uint strand, LitStrand of, int knot, vec3 colour) {
   Fibre fibre;
-  fibre.place = knot_position(part, strand, knot);
+  fibre.position = knot_position(part, strand, knot);
   fibre.normal = of.depth.normal;
   fibre.tangent =
       unit(knot_position(part, strand, min(knot + 1, part.segments)) - knot_position(part, strand, max(knot - 1, 0)));
-  fibre.to_camera = unit(camera_position - fibre.place);
+  fibre.to_camera = unit(camera_position - fibre.position);
   fibre.colour = clamp(colour, 0.0, 1.0);
   fibre.height = of.depth.reach * (float(knot) / float(part.segments));
   fibre.number = of.number;

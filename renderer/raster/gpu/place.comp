@@ -64,23 +64,23 @@ int knot_number(DrawnStrand drawn, int segments, int at) {
 // but not so wide that they would be visible beside the fur above them.
 Knot drawn_knot(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, int number) {
   Knot knot = knot_of(part, kept.strand, number, kept.widened);
-  float thin = knot.thickness, over = thin / max(knot.inverse, 1e-9), unresolved = clamp(1.5 - thin, 0.0, 1.0);
+  float thin = knot.half_width, over = thin / max(knot.inverse, 1e-9), unresolved = clamp(1.5 - thin, 0.0, 1.0);
   float crowded = thin / (1.0 - unresolved * min(max_packed, drawn.packing * over * over));
   float above = placed.reach * (1.0 - float(number) / float(part.segments));
-  knot.thickness = number < drawn.deep ? clamp(0.5 * above, crowded, max(crowded, float(deep_strand_factor) * thin)) : crowded;
+  knot.half_width = number < drawn.deep ? clamp(0.5 * above, crowded, max(crowded, float(deep_strand_factor) * thin)) : crowded;
   return knot;
 }
 
 // Extends the tip: a strand ends in a half ball, which covers as much as a longer strand with a flat end would.
 vec2 rounded_tip(Knot tip, Knot before, float wider) {
-  float more = 0.785 * tip.thickness / (wider * max(length(tip.at - before.at), 1e-3));
+  float more = 0.785 * tip.half_width / (wider * max(length(tip.at - before.at), 1e-3));
   return tip.at + more * (tip.at - before.at);
 }
 
 // Returns the half width of a knot, wider if the turns of a curl are too small to be drawn, so that the coverage stays the
 // same. `more`: length of the curl over what is drawn of it.
-float wider_for_curls(float thickness, float more, float step) {
-  return more < 1.1 ? thickness : min(thickness * more, thickness + min(step, 1.0));
+float wider_for_curls(float half_width, float more, float step) {
+  return more < 1.1 ? half_width : min(half_width * more, half_width + min(step, 1.0));
 }
 
 void write_strand(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand drawn, uint first) {
@@ -100,10 +100,10 @@ void write_strand(Part part, KeptStrand kept, PlacedStrand placed, DrawnStrand d
     int number = knot_number(drawn, part.segments, i);
     knot = drawn_knot(part, kept, placed, drawn, number);
     if (i == drawn.count) knot.at = tip;
-    knot.thickness = wider_for_curls(knot.thickness, more, placed.arc_length * over);
+    knot.half_width = wider_for_curls(knot.half_width, more, placed.arc_length * over);
     uint at = 3 * (first + uint(i));
     knots[at] = floatBitsToUint(knot.at);
-    knots[at + 1] = floatBitsToUint(vec2(knot.inverse, knot.thickness));
+    knots[at + 1] = floatBitsToUint(vec2(knot.inverse, knot.half_width));
     knots[at + 2] = uvec2(0, packHalf2x16(vec2(0.0, float(number) * over)));
   }
 }

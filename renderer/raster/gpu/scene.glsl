@@ -45,9 +45,9 @@ layout(std140, binding = raster_binding) uniform RasterBlock {
 
 // A knot of a strand, projected to the picture.
 struct Knot {
-  vec2 at;          // pixels
-  float inverse;    // 1 / distance along the view; 0 if too near to be drawn
-  float thickness;  // half of the strand's width, pixels
+  vec2 at;           // pixels
+  float inverse;     // 1 / distance along the view; 0 if too near to be drawn
+  float half_width;  // of the strand, pixels
 };
 
 // A position on a triangle of the model.

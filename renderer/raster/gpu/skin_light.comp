@@ -39,11 +39,11 @@ vec3 normal_of(uint triangle, uint k) {
   return dot(other, other) > 0.0 ? other : vertex_at(triangles[3 * triangle + k], 3);
 }
 
-SkinPoint skin_point(TriangleCorners at, vec3 place, vec3 ray, float distance, vec3 across) {
+SkinPoint skin_point(TriangleCorners at, vec3 position, vec3 ray, float distance, vec3 across) {
   float size = length(ray);
   vec3 first = normal_of(at.triangle, 0);
   SkinPoint skin;
-  skin.place = place;
+  skin.position = position;
   skin.to_camera = ray * (-1.0 / size);
   skin.pixel = frame.viewpoint.w * oversampling * distance * size;
   skin.normal = unit(first + at.b * (normal_of(at.triangle, 1) - first) + at.c * (normal_of(at.triangle, 2) - first));
@@ -86,19 +86,19 @@ vec3 output_value(uint triangle, vec2 pixel, float inverse) {
   for (uint k = 0; k < 3; ++k) corner[k] = vertex_at(triangles[3 * triangle + k], 0);
   vec3 ray = ray_through(pixel);
   float distance = 1.0 / max(inverse, 1e-20);
-  vec3 place = camera_position + ray * distance, side = corner[1] - corner[0], other = corner[2] - corner[0];
+  vec3 position = camera_position + ray * distance, side = corner[1] - corner[0], other = corner[2] - corner[0];
   vec3 across = cross(side, other);
   float square = max(dot(across, across), 1e-30);
   TriangleCorners at;
   at.triangle = triangle;
-  at.b = clamp(dot(cross(place - corner[0], other), across) / square, 0.0, 1.0);
-  at.c = clamp(dot(cross(side, place - corner[0]), across) / square, 0.0, 1.0 - at.b);
+  at.b = clamp(dot(cross(position - corner[0], other), across) / square, 0.0, 1.0);
+  at.c = clamp(dot(cross(side, position - corner[0]), across) / square, 0.0, 1.0 - at.b);
 #if defined SHOWN_FIELD
   return field_at(triangle, at.b, at.c);
 #elif defined SHOWN_NORMAL
-  return skin_point(at, place, ray, distance, across).normal;
+  return skin_point(at, position, ray, distance, across).normal;
 #else
-  return light_of(skin_point(at, place, ray, distance, across));
+  return light_of(skin_point(at, position, ray, distance, across));
 #endif
 #endif
 }

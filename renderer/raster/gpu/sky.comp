@@ -40,8 +40,8 @@ bool stops(vec3 from, vec3 direction) {
 void main() {
   uint at = lane_number();
   if (at >= uint(sky_size.x * sky_size.y)) return;
-  vec2 place = sky_low + sky_cell * vec2(at % uint(sky_size.x), at / uint(sky_size.x));
+  vec2 position = sky_low + sky_cell * vec2(at % uint(sky_size.x), at / uint(sky_size.x));
   int stopped = 0;
-  for (int i = 0; i < sky_directions; ++i) stopped += int(stops(vec3(place.x, ground_height, place.y), sky_direction(i)));
+  for (int i = 0; i < sky_directions; ++i) stopped += int(stops(vec3(position.x, ground_height, position.y), sky_direction(i)));
   sky[at] = float(stopped) / float(sky_directions);
 }

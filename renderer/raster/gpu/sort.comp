@@ -57,9 +57,9 @@ void merge_runs(uint first, uint end, uint size, bool in_others) {
   for (uint i = first + gl_LocalInvocationIndex; i < end; i += 256) {
     uint own = (i - first) / size, pair = first + own / 2 * 2 * size, other = first + (own ^ 1u) * size;
     uvec2 entry = in_others ? others[i] : entries[i];
-    uint place = pair + (i - first) % size + count_before(min(other, end), min(other + size, end), entry, in_others);
-    if (in_others) entries[place] = entry;
-    else others[place] = entry;
+    uint index = pair + (i - first) % size + count_before(min(other, end), min(other + size, end), entry, in_others);
+    if (in_others) entries[index] = entry;
+    else others[index] = entry;
   }
   memoryBarrierBuffer();
   barrier();

@@ -8,7 +8,7 @@ Knot knot_of(Part part, uint strand, int number, float widened) {
   Knot knot;
   knot.at = camera_middle + vec2(dot(apart, camera_right), -dot(apart, camera_up)) * scale;
   knot.inverse = distance > near_distance ? inverse : 0.0;
-  knot.thickness = point.w * inverse * widened * camera_scale;
+  knot.half_width = point.w * inverse * widened * camera_scale;
   return knot;
 }
 
@@ -31,22 +31,22 @@ PlacedStrand place_strand(Part part, uint strand, float widened) {
   vec2 first, before;
   for (int k = 0; k <= part.segments; ++k) {
     Knot knot = knot_of(part, strand, k, widened);
-    vec3 place = point_of(part, strand, k).xyz;
+    vec3 position = point_of(part, strand, k).xyz;
     if (k == 0) {
-      placed.root = place;
+      placed.root = position;
       first = knot.at;
     } else {
       float segment = length(knot.at - before);
       placed.arc_length += segment;
       placed.longest = max(placed.longest, segment);
-      placed.size += length(place - placed.tip);
+      placed.size += length(position - placed.tip);
     }
-    placed.widest = max(placed.widest, knot.thickness);
+    placed.widest = max(placed.widest, knot.half_width);
     before = knot.at;
-    placed.tip = place;
+    placed.tip = position;
     if (!(knot.inverse > 0.0)) continue;
-    placed.low = min(placed.low, knot.at - knot.thickness);
-    placed.high = max(placed.high, knot.at + knot.thickness);
+    placed.low = min(placed.low, knot.at - knot.half_width);
+    placed.high = max(placed.high, knot.at + knot.half_width);
   }
   placed.reach = length(before - first);
   return placed;

@@ -2,12 +2,12 @@
 // bare. Reads the blocks `frame` and `bare_skin`.
 
 // Blends all regions at a position over `bare`, each over those before it. `pixel` is the size of a pixel there.
-FUNCTION Bare bare_over(Bare bare, Vec3 place, Vec3 normal, Real pixel) {
+FUNCTION Bare bare_over(Bare bare, Vec3 position, Vec3 normal, Real pixel) {
   for (Index i = 0; i < bare_skin.count.x; ++i) {
-    Vec3 apart = place - Vec3(bare_skin.balls[i]);
+    Vec3 apart = position - Vec3(bare_skin.balls[i]);
     if (!any_lane(dot(apart, apart) <= bare_skin.balls[i].w)) continue;  // skips most of the body cheaply
     SkinEntry region = bare_skin.regions[i];
-    Real share = bare_share(region, place, normal, pixel);
+    Real share = bare_share(region, position, normal, pixel);
     bare.share = 1.0f - (1.0f - bare.share) * (1.0f - share);
     Real over = share / max(bare.share, 1e-9f);
     bare.colour = mix(bare.colour, Vec3(region.colour), over);

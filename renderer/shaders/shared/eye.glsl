@@ -3,11 +3,11 @@
 // in the eye's frame, and surroundings, the colour around the head.
 
 // Returns the colour of the white of the eye, which vessels redden away from the iris.
-FUNCTION Vec3 sclera_colour(EyeView view, Vec3 place) {
-  Real back = acos(clamp(place.z, -1.0f, 1.0f)) - asin(clamp(eye.up.w, 0.0f, 1.0f));
-  Vec4 tissue = tissue_texel(angle_coordinate(place.x, place.y), clamp(back * (1.0f / 1.2f), 0.0f, 1.0f),
+FUNCTION Vec3 sclera_colour(EyeView view, Vec3 position) {
+  Real back = acos(clamp(position.z, -1.0f, 1.0f)) - asin(clamp(eye.up.w, 0.0f, 1.0f));
+  Vec4 tissue = tissue_texel(angle_coordinate(position.x, position.y), clamp(back * (1.0f / 1.2f), 0.0f, 1.0f),
                              view.pixel * (float(iris_map_height) / 1.2f));
-  Real lid = 1.0f - smoothstep(0.0f, 0.45f, lid_opening(unit_or_zero(place)));
+  Real lid = 1.0f - smoothstep(0.0f, 0.45f, lid_opening(unit_or_zero(position)));
   Real red = clamp(0.75f * lid + 0.5f * smoothstep(0.15f, 1.0f, back), 0.0f, 1.0f);
   Vec3 white = Vec3(1.0f);
   Vec3 colour = Vec3(eye.sclera) * mix(white, Vec3(0.80f, 0.42f, 0.36f), 0.6f * red);
@@ -17,24 +17,24 @@ FUNCTION Vec3 sclera_colour(EyeView view, Vec3 place) {
 
 FUNCTION Real wrapped_light(Real cosine, float wrap) { return max((cosine + wrap) * (1.0f / (1.0f + wrap)), 0.0f); }
 
-FUNCTION Vec3 sclera_light(EyeView view, Vec3 place, Vec3 normal) {
-  Vec3 sum = Vec3(sky_visibility(place) * frame.weights.x);
+FUNCTION Vec3 sclera_light(EyeView view, Vec3 position, Vec3 normal) {
+  Vec3 sum = Vec3(sky_visibility(position) * frame.weights.x);
   for (int i = 0; i < eye_lights; ++i) {
-    Arriving light = light_on_eye(i, place);
+    Arriving light = light_on_eye(i, position);
     Real cosine = dot(normal, light.to_light);
     Vec3 wrapped = Vec3(wrapped_light(cosine, 0.45f), wrapped_light(cosine, 0.28f), wrapped_light(cosine, 0.22f));
-    sum += light.radiance * wrapped * lid_visibility(place, light.to_light);
+    sum += light.radiance * wrapped * lid_visibility(position, light.to_light);
   }
-  return sclera_colour(view, place) * sum;
+  return sclera_colour(view, position) * sum;
 }
 
 // Returns the environment's light along a reflected ray: a soft sky, a darker ground, and fur beside the eye.
-FUNCTION Vec3 surroundings_along(Vec3 direction, Vec3 place) {
+FUNCTION Vec3 surroundings_along(Vec3 direction, Vec3 position) {
   Real height = eye.right.y * direction.x + eye.up.y * direction.y + eye.forward.y * direction.z;
   Vec3 facing = eye.lid_right.w == 0.0f ? Vec3(0.0f, 0.0f, 1.0f) : Vec3(eye.lid_facing);
   Real share = mix(0.30f, 1.15f, smoothstep(-0.25f, 0.75f, height)) *
                mix(0.08f, 1.0f, smoothstep(-0.15f, 0.55f, dot(direction, facing)));
-  return Vec3(surroundings) * (share * lid_visibility(place, direction));
+  return Vec3(surroundings) * (share * lid_visibility(position, direction));
 }
 
 // Returns the Fresnel reflectance of unpolarised light, as in renderer/eye/optics.cpp.
@@ -47,18 +47,18 @@ FUNCTION Real eye_reflectance(Real cosine) {
 
 // Returns the reflections in the tear film. Every light is a soft disc, whose size depends on wetness and whose energy
 // does not.
-FUNCTION Vec3 light_in_tear_film(EyeView view, Vec3 place, Vec3 normal) {
+FUNCTION Vec3 light_in_tear_film(EyeView view, Vec3 position, Vec3 normal) {
   float wetness = eye.sclera.w;
   float disc = 0.5f + wetness * (0.11f - 0.5f);  // radians
   float gain = 1.0f / (sin(disc) * sin(disc));
   Real cosine = dot(view.along, normal);
   Vec3 direction = view.along - 2.0f * min(cosine, 0.0f) * normal;
-  Vec3 sum = surroundings_along(direction, place);
+  Vec3 sum = surroundings_along(direction, position);
   for (int i = 0; i < eye_lights; ++i) {
-    Arriving light = light_on_eye(i, place);
+    Arriving light = light_on_eye(i, position);
     Real off = acos(clamp(dot(direction, light.to_light), -1.0f, 1.0f));
     Real shown = 1.0f - smoothstep(0.85f * disc, 1.15f * disc, off);
-    if (any_lane(shown > 0.0f)) sum += light.radiance * (gain * shown * lid_visibility(place, light.to_light));
+    if (any_lane(shown > 0.0f)) sum += light.radiance * (gain * shown * lid_visibility(position, light.to_light));
   }
   return sum * (eye_reflectance(-cosine) * (0.35f + 0.65f * wetness));
 }
@@ -71,13 +71,13 @@ FUNCTION Vec3 lid_colour(Real margin) {
   return mix(lid, lid * Vec3(0.7f, 0.55f, 0.55f), margin);
 }
 
-FUNCTION Vec3 lid_light(EyeView view, Vec3 place) {
-  Vec3 normal = unit_or_zero(place);
+FUNCTION Vec3 lid_light(EyeView view, Vec3 position) {
+  Vec3 normal = unit_or_zero(position);
   Real margin = lid_margin(normal);
   Vec3 colour = lid_colour(margin);
   Vec3 sum = colour * frame.weights.x;
   for (int i = 0; i < eye_lights; ++i) {
-    Arriving light = light_on_eye(i, place);
+    Arriving light = light_on_eye(i, position);
     Vec3 middle = unit_or_zero(light.to_light - view.along);
     Real gloss = mix(0.03f, 0.25f, margin) * pow(clamp(dot(normal, middle), 1e-12f, 1.0f), mix(10.0f, 40.0f, margin));
     sum += light.radiance * (colour + Vec3(gloss)) * max(dot(normal, light.to_light), 0.0f);
@@ -86,36 +86,36 @@ FUNCTION Vec3 lid_light(EyeView view, Vec3 place) {
 }
 
 // Returns 1 on the cornea and 0 on the white, with a soft edge.
-FUNCTION Real cornea_share(EyeView view, Vec3 place) {
+FUNCTION Real cornea_share(EyeView view, Vec3 position) {
   float radius = eye.up.w;
   Real soft = max(0.04f * radius, view.pixel);
-  Real off = sqrt(place.x * place.x + place.y * place.y);
-  return select(place.z > 0.0f, 1.0f - smoothstep(radius - soft, radius + soft, off), 0.0f);
+  Real off = sqrt(position.x * position.x + position.y * position.y);
+  return select(position.z > 0.0f, 1.0f - smoothstep(radius - soft, radius + soft, off), 0.0f);
 }
 
 // Returns the normal of ball and cornea, bent to be front-facing where it is not.
-FUNCTION Vec3 eyeball_normal(EyeView view, Vec3 place, Real cornea) {
-  Vec3 bulged = unit_or_zero(place - Vec3(0.0f, 0.0f, eye.cornea.x));
-  Vec3 normal = unit_or_zero(mix(unit_or_zero(place), bulged, cornea));
+FUNCTION Vec3 eyeball_normal(EyeView view, Vec3 position, Real cornea) {
+  Vec3 bulged = unit_or_zero(position - Vec3(0.0f, 0.0f, eye.cornea.x));
+  Vec3 normal = unit_or_zero(mix(unit_or_zero(position), bulged, cornea));
   Real cosine = dot(normal, view.along);
   return select(cosine > -1e-3f, unit_or_zero(normal - view.along * (cosine + 1e-3f)), normal);
 }
 
-FUNCTION Vec3 eyeball_light(EyeView view, Vec3 place) {
-  Real cornea = cornea_share(view, place);
-  Vec3 normal = eyeball_normal(view, place, cornea);
+FUNCTION Vec3 eyeball_light(EyeView view, Vec3 position) {
+  Real cornea = cornea_share(view, position);
+  Vec3 normal = eyeball_normal(view, position, cornea);
   Vec3 seen = Vec3(0.0f);
-  if (any_lane(cornea < 1.0f)) seen = sclera_light(view, place, normal);
-  if (any_lane(cornea > 0.0f)) seen = mix(seen, iris_light(view, place, normal), cornea);
+  if (any_lane(cornea < 1.0f)) seen = sclera_light(view, position, normal);
+  if (any_lane(cornea > 0.0f)) seen = mix(seen, iris_light(view, position, normal), cornea);
   Real transmitted = 1.0f - eye_reflectance(-dot(view.along, normal));
-  Real opening = lid_opening(unit_or_zero(place));
+  Real opening = lid_opening(unit_or_zero(position));
   Real shaded = mix(0.30f, 1.0f, smoothstep(0.0f, 0.30f, opening));  // shadow of lids and lashes
-  return shaded * (seen * transmitted + light_in_tear_film(view, place, normal));
+  return shaded * (seen * transmitted + light_in_tear_film(view, position, normal));
 }
 
 // Where rays enter a sphere.
 struct BallHit {
-  Vec3 place;
+  Vec3 position;
   Real covered;  // share of the pixel, [0, 1]; the edge is one pixel wide
 };
 
@@ -127,7 +127,7 @@ FUNCTION BallHit enter_ball(Vec3 close_by, Vec3 along, Real pixel, float centre,
   Vec3 entered = nearest - along * sqrt(max(inner, 0.0f));
   Vec3 beside = nearest * (radius / sqrt(max(square, 1e-12f)));
   BallHit ball;
-  ball.place = select(inner > 0.0f, entered, beside) + middle;
+  ball.position = select(inner > 0.0f, entered, beside) + middle;
   ball.covered = clamp((radius - sqrt(square)) / pixel + 0.5f, 0.0f, 1.0f);
   return ball;
 }
@@ -167,13 +167,13 @@ FUNCTION EyeHit intersect_eye(Vec3 direction, float pixel_angle) {
   BallHit dome = enter_ball(close_by, hit.along, hit.pixel, eye.cornea.x, eye.cornea.y);
   BallHit lid = enter_ball(close_by, hit.along, hit.pixel, 0.0f, float(lid_radius));
   Mask over = both(dome.covered > 0.0f,
-                   either(ball.covered <= 0.0f, dot(dome.place - ball.place, hit.along) < 0.0f));
-  hit.ball = select(over, dome.place, ball.place);
-  hit.lid = lid.place;
+                   either(ball.covered <= 0.0f, dot(dome.position - ball.position, hit.along) < 0.0f));
+  hit.ball = select(over, dome.position, ball.position);
+  hit.lid = lid.position;
   hit.ball_covered = max(ball.covered, dome.covered);
   hit.shut = Real(0.0f);
   if (eye.lid_right.w != 0.0f && length(eye_viewer) > float(lid_radius)) {
-    hit.shut = 1.0f - smoothstep(-0.5f * hit.pixel, 0.5f * hit.pixel, lid_opening(unit_or_zero(lid.place)));
+    hit.shut = 1.0f - smoothstep(-0.5f * hit.pixel, 0.5f * hit.pixel, lid_opening(unit_or_zero(lid.position)));
   }
   hit.covered = mix(hit.ball_covered, lid.covered, hit.shut);
   hit.nearest = select(hit.shut > 0.5f, hit.lid, hit.ball);
@@ -201,7 +201,7 @@ FUNCTION Vec3 eye_light(EyeHit hit) {
 
 // The surface at a hit.
 struct EyeSurface {
-  Vec3 place, normal, albedo;  // in world space
+  Vec3 position, normal, albedo;  // in world space
 };
 
 FUNCTION EyeSurface eye_surface(EyeHit hit) {
@@ -213,7 +213,7 @@ FUNCTION EyeSurface eye_surface(EyeHit hit) {
   Vec4 tissue = iris_tissue(view, at, edge);
   Vec3 ball = mix(sclera_colour(view, hit.ball), tissue_colour(tissue) * (there * tissue.x), cornea);
   EyeSurface surface;
-  surface.place = Vec3(eye.position) + out_of_eye_frame(hit.nearest) * eye.right.w;
+  surface.position = Vec3(eye.position) + out_of_eye_frame(hit.nearest) * eye.right.w;
   surface.normal = out_of_eye_frame(select(hit.shut > 0.5f, lid_normal, ball_normal));
   surface.albedo = mix(ball, lid_colour(lid_margin(lid_normal)), hit.shut);
   return surface;

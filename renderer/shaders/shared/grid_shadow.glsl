@@ -13,8 +13,8 @@ struct SentLight {
   Vec3 unshadowed;  // `direct` without shadows; only if requested
 };
 
-FUNCTION GridCells grid_cells(Vec3 place) {
-  Vec3 off = (place - Vec3(grid_low)) * (1.0f / grid_cell) - Vec3(0.5f);
+FUNCTION GridCells grid_cells(Vec3 position) {
+  Vec3 off = (position - Vec3(grid_low)) * (1.0f / grid_cell) - Vec3(0.5f);
   Vec3 at = Vec3(clamp(off.x, 0.0f, float(grid_size.x) - 1.001f), clamp(off.y, 0.0f, float(grid_size.y) - 1.001f),
                  clamp(off.z, 0.0f, float(grid_size.z) - 1.001f));
   Vec3 low = floor(at), part = at - low;
@@ -42,9 +42,9 @@ FUNCTION Crossing crossed_at(Index light, GridCells cells) {
 }
 
 // Returns the cells at a distance from the skin, because a position's own cell also contains what lies below the skin.
-FUNCTION GridCells cells_off_skin(Vec3 place, Vec3 normal) {
+FUNCTION GridCells cells_off_skin(Vec3 position, Vec3 normal) {
   float off_skin = 0.25f;  // cells
-  return grid_cells(place + normal * (off_skin * grid_cell));
+  return grid_cells(position + normal * (off_skin * grid_cell));
 }
 
 // Returns the transmittance of strands, each of which stops a share `stopped` of the light, and of the body.

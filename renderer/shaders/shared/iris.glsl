@@ -16,8 +16,8 @@ FUNCTION Vec3 out_of_eye_frame(Vec3 v) {
 }
 
 // Returns the light that arrives at a position of the eye.
-FUNCTION Arriving light_on_eye(int i, Vec3 place) {
-  Vec3 in_world = Vec3(eye.position) + out_of_eye_frame(place) * eye.right.w;
+FUNCTION Arriving light_on_eye(int i, Vec3 position) {
+  Vec3 in_world = Vec3(eye.position) + out_of_eye_frame(position) * eye.right.w;
   Arriving light = light_at(Index(i), in_world);
   light.to_light = in_eye_frame(light.to_light);
   return light;
@@ -35,16 +35,16 @@ FUNCTION Real lid_opening(Vec3 direction) {
 }
 
 // Returns the share of the light from a direction that gets past the lids to a position under them.
-FUNCTION Real lid_visibility(Vec3 place, Vec3 to_light) {
+FUNCTION Real lid_visibility(Vec3 position, Vec3 to_light) {
   if (eye.lid_right.w == 0.0f) return Real(1.0f);
-  Real along = dot(place, to_light), apart = float(lid_radius) * float(lid_radius) - dot(place, place);
+  Real along = dot(position, to_light), apart = float(lid_radius) * float(lid_radius) - dot(position, position);
   Real path = sqrt(max(along * along + apart, 0.0f)) - along;
-  Real share = smoothstep(-0.10f, 0.12f, lid_opening(unit_or_zero(place + to_light * path)));
+  Real share = smoothstep(-0.10f, 0.12f, lid_opening(unit_or_zero(position + to_light * path)));
   return select(apart <= 0.0f, 1.0f, share);
 }
 
-FUNCTION Real sky_visibility(Vec3 place) {
-  return mix(0.22f, 1.0f, smoothstep(-0.05f, 0.55f, lid_opening(unit_or_zero(place))));
+FUNCTION Real sky_visibility(Vec3 position) {
+  return mix(0.22f, 1.0f, smoothstep(-0.05f, 0.55f, lid_opening(unit_or_zero(position))));
 }
 
 // Returns the refracted direction. There is no total reflection, because the index inside is at least 1.
@@ -215,26 +215,26 @@ struct BehindCornea {
   Vec2 bottom;
 };
 
-FUNCTION BehindCornea behind_cornea(EyeView view, Vec3 place, Vec3 normal) {
+FUNCTION BehindCornea behind_cornea(EyeView view, Vec3 position, Vec3 normal) {
   BehindCornea behind;
   behind.inside = Vec3(0.0f, 0.0f, -1.0f);
   if (eye_steps > 0) behind.inside = refracted(view.along, normal);
   behind.over = 1.0f / max(-behind.inside.z, 0.05f);
-  Real fallen = max(place.z - eye.cornea.z, 0.0f) * behind.over;
-  behind.bottom = Vec2(place.x + behind.inside.x * fallen, place.y + behind.inside.y * fallen);
+  Real fallen = max(position.z - eye.cornea.z, 0.0f) * behind.over;
+  behind.bottom = Vec2(position.x + behind.inside.x * fallen, position.y + behind.inside.y * fallen);
   return behind;
 }
 
 // Returns the light that comes through the cornea at a position on it.
-FUNCTION Vec3 iris_light(EyeView view, Vec3 place, Vec3 normal) {
+FUNCTION Vec3 iris_light(EyeView view, Vec3 position, Vec3 normal) {
   float radius = eye.up.w;
-  BehindCornea behind = behind_cornea(view, place, normal);
+  BehindCornea behind = behind_cornea(view, position, normal);
   Vec3 inside = behind.inside;
   Vec2 bottom = behind.bottom, top = bottom - Vec2(inside.x, inside.y) * (eye.cornea.w * behind.over);
   Real reach = length(bottom), wall = Real(0.0f);
   bottom = bottom * min(1.0f, radius / max(reach, 1e-6f));
   if (eye_steps > 0) wall = smoothstep(0.97f, 1.04f, reach * (1.0f / radius));  // side wall of the eye's chamber
-  IrisLight lights = light_on_iris(place, normal, inside, bottom);
+  IrisLight lights = light_on_iris(position, normal, inside, bottom);
   Vec3 seen;
   if (eye_steps <= 1) {
     seen = flat_iris(view, bottom, lights.total);
@@ -242,5 +242,5 @@ FUNCTION Vec3 iris_light(EyeView view, Vec3 place, Vec3 normal) {
     seen = marched_iris(view, top, bottom, behind.over, lights);
   }
   Real ring = eye.iris.w * smoothstep(0.72f, 0.98f, length(bottom) * (1.0f / radius));
-  return mix(seen * (1.0f - 0.92f * ring), Vec3(eye.iris) * (0.03f * sky_visibility(place)), wall);
+  return mix(seen * (1.0f - 0.92f * ring), Vec3(eye.iris) * (0.03f * sky_visibility(position)), wall);
 }

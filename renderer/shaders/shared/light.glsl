@@ -6,13 +6,13 @@ struct Crossing {
   Real strands, body;
 };
 
-FUNCTION Arriving light_at(Index i, Vec3 place) {
+FUNCTION Arriving light_at(Index i, Vec3 position) {
   LightBlock light = frame.lights[i];
   Arriving arriving;
   arriving.to_light = -Vec3(light.direction);
   arriving.radiance = Vec3(light.radiance);
   if (directional_lights) return arriving;
-  Vec3 apart = Vec3(light.position) - place;
+  Vec3 apart = Vec3(light.position) - position;
   Real square = max(dot(apart, apart), float(min_light_square));
   if (light.direction.w > 0.5f) {  // not a directional light
     arriving.to_light = apart * (1.0f / sqrt(square));

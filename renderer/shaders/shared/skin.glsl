@@ -17,7 +17,7 @@ struct SkinSurface {
 // Relief of domed cells with creases between them.
 struct Leather {
   Vec3 slope;    // gradient of the height, in cells
-  Real creased;  // 0 at the bottom of a crease, 1 outside
+  Real visibility;  // 0 at the bottom of a crease, 1 outside
 };
 
 // Returns skin that is painted bare, in the given colour. It fades out where fur has about half of its length.
@@ -34,8 +34,8 @@ FUNCTION Bare painted_bare(Vec3 colour, Real painted, Real wetness) {
 
 // Returns the share of a region's look at a position. It fades out over half of the softness, where fur has about half
 // of its length, but over at least two pixels; of regions smaller than a pixel, within twice their radii.
-FUNCTION Real bare_share(SkinEntry region, Vec3 place, Vec3 normal, Real pixel) {
-  Vec3 apart = place - Vec3(region.centre);
+FUNCTION Real bare_share(SkinEntry region, Vec3 position, Vec3 normal, Real pixel) {
+  Vec3 apart = position - Vec3(region.centre);
   Real off = length(Vec3(dot(Vec3(region.across), apart), dot(Vec3(region.up), apart), dot(Vec3(region.along), apart)));
   Real edge = max(0.5f * region.across.w, min(2.0f * region.up.w * pixel + 1e-6f, 1.0f));
   return (1.0f - smoothstep(1.0f, 1.0f + edge, off)) *
@@ -58,7 +58,7 @@ FUNCTION Leather leather(Vec3 at) {
   Vec3 away = second * (1.0f / max(length(second), 1e-6f)) - first * (1.0f / max(length(first), 1e-6f));
   Leather relief;
   relief.slope = away * (6.0f / crease * off * (1.0f - off)) - 2.0f * first;
-  relief.creased = off * off * (3.0f - 2.0f * off);
+  relief.visibility = off * off * (3.0f - 2.0f * off);
   return relief;
 }
 
@@ -78,14 +78,14 @@ FUNCTION Real skin_highlight(Vec3 normal, Vec3 to_light, Vec3 to_camera, Real f0
   return fresnel * lobe * max(dot(normal, to_light), 0.0f);
 }
 
-FUNCTION SkinSurface skin_surface(Bare bare, Vec3 place, Vec3 normal, Vec3 to_camera, Real pixel) {
+FUNCTION SkinSurface skin_surface(Bare bare, Vec3 position, Vec3 normal, Vec3 to_camera, Real pixel) {
   Real size = max(bare.bump_size, 1e-4f);
   Real seen = smoothstep(3.0f, 8.0f, size / max(pixel, 1e-9f));  // small cells would sparkle; they widen highlights
   Real full_height = min(bare.bump_height / size, 4.0f), steep = seen * full_height;
   Leather relief;
   relief.slope = Vec3(0.0f);
-  relief.creased = Real(1.0f);
-  if (any_lane(steep > 0.0f)) relief = leather(place * (1.0f / size));
+  relief.visibility = Real(1.0f);
+  if (any_lane(steep > 0.0f)) relief = leather(position * (1.0f / size));
   Vec3 slope = relief.slope - dot(relief.slope, normal) * normal;
   Real uneven = 1.0f - 0.7f * bare.wetness, lost = full_height - steep;
   float film_roughness = 0.28f;  // of the wet film; lower values sparkle
@@ -94,7 +94,7 @@ FUNCTION SkinSurface skin_surface(Bare bare, Vec3 place, Vec3 normal, Vec3 to_ca
   surface.normal = unit_or_zero(normal - steep * slope);
   surface.film = unit_or_zero(normal - uneven * steep * slope);
   surface.colour = bare.colour * (1.0f - 0.4f * bare.wetness);
-  surface.visibility = mix(1.0f, relief.creased, min(2.0f * steep, 0.6f));
+  surface.visibility = mix(1.0f, relief.visibility, min(2.0f * steep, 0.6f));
   surface.dry_roughness = min(bare.roughness + lost, 1.0f);
   surface.wet_roughness = min(film_roughness + uneven * lost, 1.0f);
   return surface;

@@ -10,7 +10,7 @@ struct Shine {
 
 // Directions are unit and point away from the strand, the tangent from root to tip.
 struct Fibre {
-  Vec3 place;
+  Vec3 position;
   Vec3 normal, tangent, to_camera;
   Vec3 colour;   // C, [0, 1]
   Vec3 crossed;  // colour of the fur above, which light crosses

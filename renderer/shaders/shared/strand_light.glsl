@@ -4,15 +4,15 @@
 
 // Returns the weight of single strands at a position, [0, 1]: above 0 close to the camera, where the picture is less
 // than near_no_view wide.
-FUNCTION Real nearness(Vec3 place) {
-  Real view = dot(place - Vec3(camera_position), Vec3(camera_forward)) * over_view;
+FUNCTION Real nearness(Vec3 position) {
+  Real view = dot(position - Vec3(camera_position), Vec3(camera_forward)) * over_view;
   return 1.0f - smoothstep(float(near_full_view), float(near_no_view), view);
 }
 
 // Returns the strands that light crosses in near cells just before it reaches a fibre, less the mean of an entry, which
 // other cells share.
-FUNCTION Real near_strands(Vec3 place, Vec3 tangent, Vec3 to_light) {
-  Vec3 at = place * (1.0f / near_cell);
+FUNCTION Real near_strands(Vec3 position, Vec3 tangent, Vec3 to_light) {
+  Vec3 at = position * (1.0f / near_cell);
   Real sum = Real(0.0f);
   for (int k = 0; k < near_cell_steps; ++k) sum += near_count(floor(at + to_light * (float(k) + 0.5f)));
   Real own = sum - float(near_cell_steps) * near_mean;
@@ -22,8 +22,8 @@ FUNCTION Real near_strands(Vec3 place, Vec3 tangent, Vec3 to_light) {
 // Returns the strands to a light: single strands near a fibre, and beyond the near cells those of the grid.
 FUNCTION Real combined_strands(Index light, Fibre fibre, Vec3 to_light, Real near, Real crossed) {
   float path = near_cell * float(near_cell_steps);
-  GridCells beyond = cells_off_skin(fibre.place + to_light * path, fibre.normal);
-  Real single = near_strands(fibre.place, fibre.tangent, to_light);
+  GridCells beyond = cells_off_skin(fibre.position + to_light * path, fibre.normal);
+  Real single = near_strands(fibre.position, fibre.tangent, to_light);
   return mix(crossed, max(single + crossed_at(light, beyond).strands, 0.0f), near);
 }
 
@@ -38,11 +38,11 @@ FUNCTION SentLight strand_light(Fibre fibre, Real thin, Vec3 ambient, bool unsha
   FibreView view = view_of(fibre);
   FibreViewTerms view_terms;
   if (scatters_fibres(shading_model)) view_terms = fibre_view_terms(fibre);
-  GridCells cells = cells_off_skin(fibre.place, fibre.normal);
-  Real near = near_there ? nearness(fibre.place) : Real(0.0f);
+  GridCells cells = cells_off_skin(fibre.position, fibre.normal);
+  Real near = near_there ? nearness(fibre.position) : Real(0.0f);
   bool is_near = any_lane(near > 0.0f);
   for (Index i = 0; i < light_count; ++i) {
-    Arriving light = light_at(i, fibre.place);
+    Arriving light = light_at(i, fibre.position);
     Real facing = dot(fibre.normal, light.to_light), path = exit_path_length(fibre.height, facing);
     Crossing crossed = crossed_at(i, cells);
     if (is_near) crossed.strands = combined_strands(i, fibre, light.to_light, near, crossed.strands);

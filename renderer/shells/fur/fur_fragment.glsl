@@ -69,10 +69,10 @@ vec4 lit(Slab slab, vec3 normal) {
 #ifdef SHADOW_MAPS
   vec4 hull = hull_position;
 #else
-  vec4 hull = vec4(place, 0.0);
+  vec4 hull = vec4(world_position, 0.0);
 #endif
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, colour_crossed(colour, over),
-                      height, above, strand.a, shine);
+  Fibre fibre = Fibre(world_position, normal, tangent, normalize(frame.viewpoint.xyz - world_position), colour,
+                      colour_crossed(colour, over), height, above, strand.a, shine);
   vec3 light = light_on(fibre, hull);
   return vec4(light * slab.opacity, slab.opacity);
 }

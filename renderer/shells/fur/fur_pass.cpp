@@ -40,9 +40,9 @@ const FurPass::Shading& FurPass::shading_of(const Gl& gl, const FurDrawing& draw
 }
 
 const FurPass::Shading& FurPass::shading_of(const Gl& gl, const std::string& variant, bool at_vertices) {
-  const auto [place, made] = shadings_.try_emplace(variant, gl, variant, at_vertices);
-  if (made) failure_ += place->second.skin.log() + place->second.solid.log() + place->second.fur.log();
-  return place->second;
+  const auto [entry, made] = shadings_.try_emplace(variant, gl, variant, at_vertices);
+  if (made) failure_ += entry->second.skin.log() + entry->second.solid.log() + entry->second.fur.log();
+  return entry->second;
 }
 
 void FurPass::bind(const Gl& gl, const FurDrawing& drawing) {

@@ -32,7 +32,7 @@ out float slab_middle, slab_thickness;  // of the shell's slab, relative to the 
 #include "shell_lod.glsl"
 #endif
 
-out vec3 place;
+out vec3 world_position;
 #ifdef SHADOW_MAPS
 out vec4 hull_position;      // as in skin.vert, but at the shell's height if that is above the hull
 #endif
@@ -85,7 +85,7 @@ float place_vertex() {
 #endif
   vec3 lean = lean_along(groom.xy, normal, tangent);
   vec3 curve = lean_point(root_curve, inclination, frame.counts.w, s);
-  place = position + fur_length * (curve.x * lean + curve.y * normal);
+  world_position = position + fur_length * (curve.x * lean + curve.y * normal);
 #ifdef SHADOW_MAPS
   hull_position = vec4(position + hull_offset(groom, normal, tangent, root_curve, frame.counts.w, s), hull_height * groom.z);
 #endif
@@ -94,7 +94,7 @@ float place_vertex() {
 
   // For a unit of height, the root of the strand that the ray crosses moves by the ray's movement less the strand's lean.
   // This takes the skin as flat, which is enough for the slant; slab.glsl follows the ray more exactly.
-  vec3 to_camera = normalize(frame.viewpoint.xyz - place);
+  vec3 to_camera = normalize(frame.viewpoint.xyz - world_position);
   float facing = dot(to_camera, shading_normal);
   float rising = float(shell_side) * max(facing * float(shell_side), 0.2);  // the same sign over a whole triangle
   float up_speed = fur_length * cos(curve.z), across_speed = fur_length * sin(curve.z);
@@ -106,7 +106,7 @@ float place_vertex() {
   // A leaning strand offers its length to a ray across the lean, which then crosses more strands.
   float aside = dot(cross(lean, to_camera), shading_normal) * across_speed / (rising * nominal_length);
   slant = sqrt(1.0 + lateral * lateral + aside * aside);
-  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
+  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, world_position);
   level = clamp(log2(pixel / frame.tile.y) + 0.25 * log2(1.0 / max(abs(facing), 0.2)), 0.0, 7.0);
   density_share = weight * grown(groom.z);
   length_share = fur_length / nominal_length;
@@ -115,7 +115,7 @@ float place_vertex() {
   over = frame.colour_above[int(s * float(slice_count))].rgb;
   base_uv = image_uv;
   base_colour = colour;
-  gl_Position = frame.world_to_clip * vec4(place, 1.0);
+  gl_Position = frame.world_to_clip * vec4(world_position, 1.0);
   vec4 speed = frame.world_to_clip * vec4(fur_length * fibre_tangent, 0.0);
   pixel_speed = frame.half_picture.xy * (speed.xy * gl_Position.w - gl_Position.xy * speed.w) /
                 max(gl_Position.w * gl_Position.w, 1e-12);

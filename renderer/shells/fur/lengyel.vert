@@ -11,7 +11,7 @@ void main() {
   float s = place_vertex();
   int above = int(s * float(slice_count));
   float strands = frame.depth_above[above / 4][above % 4] * length_share;
-  Fibre fibre = Fibre(place, shading_normal, normalize(fibre_tangent), normalize(frame.viewpoint.xyz - place), vec3(grey),
-                      grey * colour_above(s), s, strands, 0.5, shine);
-  vertex_light = fibre_light(fibre, vec4(place, 0.0)) / grey;
+  Fibre fibre = Fibre(world_position, shading_normal, normalize(fibre_tangent), normalize(frame.viewpoint.xyz - world_position),
+                      vec3(grey), grey * colour_above(s), s, strands, 0.5, shine);
+  vertex_light = fibre_light(fibre, vec4(world_position, 0.0)) / grey;
 }

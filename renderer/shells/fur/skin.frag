@@ -12,7 +12,7 @@
 #endif
 
 
-in vec3 place;
+in vec3 world_position;
 #ifdef SHADOW_MAPS
 in vec4 hull_position;
 #endif
@@ -29,8 +29,8 @@ layout(location = 0) out vec4 result;
 
 /// Returns 1 where fur rises out of the triangle's visible side, 0 in a fold where it grows into the body and no shell shows.
 float rising_from_face() {
-  vec3 across = cross(dFdx(place), dFdy(place));
-  across = dot(across, frame.viewpoint.xyz - place) < 0.0 ? -across : across;
+  vec3 across = cross(dFdx(world_position), dFdy(world_position));
+  across = dot(across, frame.viewpoint.xyz - world_position) < 0.0 ? -across : across;
   float size = length(across) * length(fur_offset);
   return size > 0.0 ? smoothstep(-0.1, 0.15, dot(across, fur_offset) / size) : 1.0;
 }
@@ -52,7 +52,7 @@ void main() {
   vec3 bare = takes_model_colours() ? model_colour(base_colour, base_uv) : frame.skin.rgb;
   vec3 undercoat = fur_colour(frame.ramp_root.rgb, base_colour, base_uv);
 #ifdef PATTERN
-  undercoat = pattern_colour(place, varied, undercoat);
+  undercoat = pattern_colour(world_position, varied, undercoat);
 #endif
 #ifdef PAINT_COLOUR
   undercoat = colour_painted(undercoat, 0.0, 1.0);
@@ -65,33 +65,33 @@ void main() {
   vec3 share = mix(vec3(1.0), ambient_share(0.0, above, stopped_by_strand(crossed, 0.6)), covered);
   vec3 sum = frame.weights.x * share * colour * environment_light(normal);
   for (uint i = 0; i < LIGHTS; ++i) {
-    Arriving light = light_at(i, place);
+    Arriving light = light_at(i, world_position);
     float facing = dot(normal, light.to_light);
     float lit = frame.weights.y * max(facing, 0.0) * mix(1.0, 0.6, covered);
     float to_skin = covered * strands_crossed(above, exit_path_length(0.0, facing), normal, light.to_light);
 #ifdef SHADOW_MAPS
-    to_skin = shell_depth(int(i), place, hull_position, 0.0, facing, to_skin);
-    light.radiance *= cast_visibility(int(i), place, hull_position, normal);
+    to_skin = shell_depth(int(i), world_position, hull_position, 0.0, facing, to_skin);
+    light.radiance *= cast_visibility(int(i), world_position, hull_position, normal);
 #endif
     sum += light.radiance * colour * lit * transmittance(to_skin, crossed);
   }
 #if defined(BARE_SKIN) || defined(PAINT)
-  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, place);
+  float pixel = frame.viewpoint.w * distance(frame.viewpoint.xyz, world_position);
 #ifdef PAINT
   Bare region = painted_bare(bare, amounts.w, amounts.z);
 #else
   Bare region = painted_bare(bare, 0.0, 0.0);
 #endif
 #ifdef BARE_SKIN
-  region = bare_over(region, place, normal, pixel);
+  region = bare_over(region, world_position, normal, pixel);
 #endif
   if (region.share > 0.0) {
 #ifdef SHADOW_MAPS
     vec4 hull = hull_position;
 #else
-    vec4 hull = vec4(place, 0.0);
+    vec4 hull = vec4(world_position, 0.0);
 #endif
-    sum = mix(sum, bare_light(region, place, hull, normal, pixel), region.share);
+    sum = mix(sum, bare_light(region, world_position, hull, normal, pixel), region.share);
   }
 #endif
   result = known(vec4(sum, 1.0));

@@ -11,7 +11,7 @@ layout(location = 7) in vec3 groom;
 
 #include "paint_attributes.glsl"
 
-out vec3 place;
+out vec3 world_position;
 out vec3 skin_normal;
 out vec3 base_uv;
 out vec3 base_colour;
@@ -27,10 +27,10 @@ out vec4 hull_position;  // xyz: hull position, where light that passes the rest
 #endif
 
 void main() {
-  place = position;
+  world_position = position;
   fur_offset = hull_offset(groom, normal, tangent, frame.tile.z > 0.5, frame.counts.w, 0.0);
 #ifdef HULL
-  place += fur_offset;
+  world_position += fur_offset;
 #endif
 #ifdef SHADOW_MAPS
   hull_position = vec4(position + fur_offset, hull_height * groom.z);
@@ -43,5 +43,5 @@ void main() {
 #ifdef PATTERN
   varied = variation;
 #endif
-  gl_Position = frame.world_to_clip * vec4(place, 1.0);
+  gl_Position = frame.world_to_clip * vec4(world_position, 1.0);
 }

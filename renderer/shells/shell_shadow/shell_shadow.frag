@@ -15,7 +15,7 @@ layout(location = 0) out float transmitted;
 // The transmittance of one shell along the ray from the light; blending multiplies those of all shells.
 void main() {
   compute_derivatives();
-  if (dot(fibre_normal, frame.viewpoint.xyz - place) <= 0.0) discard;
+  if (dot(fibre_normal, frame.viewpoint.xyz - world_position) <= 0.0) discard;
 #ifdef TUFTS
   shift_to_strand(normalize(fibre_normal), tile_u);
 #endif

@@ -26,9 +26,9 @@ ShellShadowPass::ShellShadowPass(const Gl& gl)
     : skin_(gl, shaders::skin_vert, shaders::skin_frag), failure_(skin_.log()) {}
 
 const Program& ShellShadowPass::program_of(const Gl& gl, const std::string& variant) {
-  const auto [place, made] = programs_.try_emplace(variant, gl, shaders::fur_vert, shaders::shell_shadow_frag, variant);
-  if (made) failure_ += place->second.log();
-  return place->second;
+  const auto [entry, made] = programs_.try_emplace(variant, gl, shaders::fur_vert, shaders::shell_shadow_frag, variant);
+  if (made) failure_ += entry->second.log();
+  return entry->second;
 }
 
 void ShellShadowPass::draw(const Gl& gl, const std::string& variant, const ModelBuffers::DrawList& triangles,

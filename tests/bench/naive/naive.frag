@@ -9,7 +9,7 @@ layout(binding = 1) uniform sampler2DArray colours;
 uniform int shell_count;
 uniform int shell;
 
-in vec3 place, fibre_normal, fibre_tangent, tile_u, base_uv, base_colour;
+in vec3 world_position, fibre_normal, fibre_tangent, tile_u, base_uv, base_colour;
 in vec2 tile;
 in float level, slant, density_share, length_share;
 
@@ -29,7 +29,7 @@ void main() {
   vec2 slope = (shape.xy * 2.0 - 1.0) * (stored_slope / nominal_length);
   vec3 tangent = normalize(fibre_tangent + tile_u * slope.x + cross(normal, tile_u) * slope.y);
   vec3 colour = fur_colour(texel.rgb * texel.rgb, base_colour, base_uv);
-  Fibre fibre = Fibre(place, normal, tangent, normalize(frame.viewpoint.xyz - place), colour, colour * colour_above(height),
-                      height, -stored_light * log(max(shape.b, 0.004)) * length_share, texel.a, shine);
-  result = vec4(fibre_light(fibre, vec4(place, 0.0)) * opacity, opacity);
+  Fibre fibre = Fibre(world_position, normal, tangent, normalize(frame.viewpoint.xyz - world_position), colour,
+                      colour * colour_above(height), height, -stored_light * log(max(shape.b, 0.004)) * length_share, texel.a, shine);
+  result = vec4(fibre_light(fibre, vec4(world_position, 0.0)) * opacity, opacity);
 }

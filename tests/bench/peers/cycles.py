@@ -21,9 +21,9 @@ import mathutils
 import numpy
 
 
-def mesh_object(name, places, edges, faces):
+def mesh_object(name, positions, edges, faces):
     mesh = bpy.data.meshes.new(name)
-    mesh.from_pydata(places, edges, faces)
+    mesh.from_pydata(positions, edges, faces)
     thing = bpy.data.objects.new(name, mesh)
     bpy.context.scene.collection.objects.link(thing)
     return thing
@@ -97,9 +97,9 @@ def hair_material(fibre):
 def add_skin(folder, scene):
     content = (folder / "skin.bin").read_bytes()
     split = 12 * scene["vertices"]
-    places = numpy.frombuffer(content[:split], numpy.float32).reshape(-1, 3)
+    positions = numpy.frombuffer(content[:split], numpy.float32).reshape(-1, 3)
     faces = numpy.frombuffer(content[split:], numpy.uint32).reshape(-1, 3)
-    skin = mesh_object("skin", places.tolist(), [], faces.tolist())
+    skin = mesh_object("skin", positions.tolist(), [], faces.tolist())
     skin.data.materials.append(material_of("skin", "ShaderNodeBsdfDiffuse", {"Color": (*scene["skin"], 1)})[0])
 
 

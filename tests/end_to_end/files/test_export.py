@@ -61,8 +61,8 @@ def standing(content):
                         [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
                         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]])
     corners = numpy.array([position["min"], position["max"]]) * node.get("scale", [1, 1, 1])
-    places = corners @ turn.T + node["translation"]
-    return [places.min(axis=0), places.max(axis=0)]
+    positions = corners @ turn.T + node["translation"]
+    return [positions.min(axis=0), positions.max(axis=0)]
 
 
 class Export(ServedTest):
@@ -140,9 +140,9 @@ class Export(ServedTest):
 
     def box(self):
         """A furred box that stands far from its origin, in a file with z up that looks along x."""
-        places = [(x, y, z) for x in (10, 11) for y in (20, 22) for z in (30, 33)]
+        positions = [(x, y, z) for x in (10, 11) for y in (20, 22) for z in (30, 33)]
         quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-        text = "\n".join(["v %d %d %d" % place for place in places] + ["f " + " ".join(str(k + 1) for k in quad) for quad in quads])
+        text = "\n".join(["v %d %d %d" % corner for corner in positions] + ["f " + " ".join(str(k + 1) for k in quad) for quad in quads])
         scene = self.server.new_scene("plane", 2)
         loaded = self.server.call("PUT", f"{scene.path}/model?format=obj&up=z&front=x&length=0.05", text.encode())
         self.assertEqual(loaded.status, 200, loaded)

@@ -17,7 +17,7 @@ class Glb:
         self.positions, self.normals = self.read(0, "<f4").reshape(-1, 3), self.read(1, "<f4").reshape(-1, 3)
         kind = {5123: "<u2", 5125: "<u4"}[self.json["accessors"][2]["componentType"]]
         self.triangles = self.read(2, kind).reshape(-1, 3)
-        self.places = self.positions.astype(float) + self.json["nodes"][0]["translation"]
+        self.model_positions = self.positions.astype(float) + self.json["nodes"][0]["translation"]
 
     def fur(self):
         attributes = self.json["meshes"][0]["primitives"][0]["attributes"]
@@ -47,8 +47,8 @@ class ProxyMesh(ServedTest):
         glb = Glb(self.mesh(scene, "?triangles=2000").body)
         self.assertLessEqual(len(glb.triangles), 2000)
         self.assertGreater(len(glb.triangles), 1500)
-        middles = glb.places[glb.triangles].mean(axis=1)
-        for radius in (numpy.linalg.norm(glb.places, axis=1), numpy.linalg.norm(middles, axis=1)):
+        middles = glb.model_positions[glb.triangles].mean(axis=1)
+        for radius in (numpy.linalg.norm(glb.model_positions, axis=1), numpy.linalg.norm(middles, axis=1)):
             self.assertGreater(radius.min(), 0.98)
             self.assertLess(radius.max(), 1.0001)
         self.assertLess(numpy.abs(numpy.linalg.norm(glb.normals, axis=1) - 1).max(), 1e-5)
@@ -58,9 +58,9 @@ class ProxyMesh(ServedTest):
         glb, bounds = Glb(self.mesh(scene, "?triangles=1500").body), scene.info()["bounds"]
         self.assertEqual(len(glb.triangles), 1500)
         size = scene.info()["size"]
-        for ours, theirs in ((glb.places.min(axis=0), bounds["min"]), (glb.places.max(axis=0), bounds["max"])):
+        for ours, theirs in ((glb.model_positions.min(axis=0), bounds["min"]), (glb.model_positions.max(axis=0), bounds["max"])):
             self.assertLess(numpy.abs(ours - theirs).max(), 0.01 * size)
-        point = glb.places[len(glb.places) // 3].tolist()
+        point = glb.model_positions[len(glb.model_positions) // 3].tolist()
         stroke = {"op": "length", "value": 0.02, "brush": {"radius": 0.001}, "stroke": {"samples": [{"position": point}]}}
         self.assertGreaterEqual(scene.run(stroke).json["results"][0]["touched"], 1)
 
@@ -91,7 +91,7 @@ class ProxyMesh(ServedTest):
         self.assertNotEqual(changed.headers["etag"], tag)
         glb = Glb(changed.body)
         self.assertEqual(len(glb.triangles), 1)
-        self.assertEqual(glb.places.min(axis=0).tolist(), [1e9, 0, 0])
+        self.assertEqual(glb.model_positions.min(axis=0).tolist(), [1e9, 0, 0])
         self.assertEqual(scene.post("subdivide", {}).status, 200)
         self.assertNotEqual(self.mesh(scene, "?triangles=500").headers["etag"], changed.headers["etag"])
 

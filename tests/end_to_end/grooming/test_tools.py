@@ -185,11 +185,11 @@ class GuidesReach(ServedTest):
             picks = [one for one in picks if one["hit"]]
             return numpy.array([numpy.array(one["direction"]) * one["inclination"] for one in picks]), [one["position"] for one in picks]
 
-        before, places = leans()
+        before, positions = leans()
         answer = scene.run(command)
         self.assertEqual(answer.status, 200, answer)
         after, _ = leans()
-        away = [numpy.linalg.norm(numpy.array(place) - [0, 0, 1]) for place in places]
+        away = [numpy.linalg.norm(numpy.array(position) - [0, 0, 1]) for position in positions]
         return numpy.linalg.norm(after - before, axis=1), numpy.array(away)
 
     def check(self, command):

@@ -280,7 +280,7 @@ class RenderTest(JobTest):
         """Against frames of files that stand where the model is at the two moments."""
         for number, stretch in (("", 0), (".01", 0), (".02", 0.1), (".03", 0.2), (".17", 0.075), (".19", 0.125)):
             self.write_ball(f"ball{number}.obj", stretch)
-        dense = {"op": "set_coat", "coat": {}}  # single strands are blurred at places of their own
+        dense = {"op": "set_coat", "coat": {}}  # single strands are blurred at positions of their own
         motion = {"motion": {"model": "ball.##.obj"}, "frame": {**JOB["frame"], "format": "exr"}, "commands": [dense]}
         self.render(self.moving(**motion, frames="17,19", output="sharp/##.exr"))
         self.render(self.moving(**motion, frames="2", output="out/##.exr", motion_blur={"shutter": 1, "samples": 2}))

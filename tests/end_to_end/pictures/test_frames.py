@@ -75,11 +75,11 @@ class Frames(ServedTest):
         planes = read_exr(frame.body)
         rows, columns = numpy.nonzero(numpy.isfinite(planes["Z"]))
         self.assertGreater(len(rows), 500)
-        places = numpy.stack([planes[f"position.{axis}"][rows, columns] for axis in "XYZ"] + [numpy.ones(len(rows))], axis=1)
-        ndc = places @ to_ndc
+        positions = numpy.stack([planes[f"position.{axis}"][rows, columns] for axis in "XYZ"] + [numpy.ones(len(rows))], axis=1)
+        ndc = positions @ to_ndc
         numpy.testing.assert_allclose(ndc[:, 0] / ndc[:, 3] * width, columns + 40.5, atol=0.6)
         numpy.testing.assert_allclose(ndc[:, 1] / ndc[:, 3] * height, rows + 20.5, atol=0.6)
-        self.assertTrue(((places @ to_camera)[:, 2] > 0).all(), "what is seen lies before the camera")
+        self.assertTrue(((positions @ to_camera)[:, 2] > 0).all(), "what is seen lies before the camera")
 
     def test_aovs_agree_with_a_pick(self):
         scene = self.server.new_scene("torus", 3000, fur={"length": 0.01, "inclination": 0.3})

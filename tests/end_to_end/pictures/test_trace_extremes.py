@@ -10,11 +10,11 @@ TRACE = {"passes": 1, "strands": 3000}
 def boxes(scale, offset=0.0):
     """Two cubes that share an edge's vertices, a sliver, a triangle of no area and one alone."""
     corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-    places = corners + [(x + 1, y + 1, z) for x, y, z in corners] + [(3, 0, 0), (4, 0, 0), (3, 1, 0), (3.5, 1e-9, 0)]
+    positions = corners + [(x + 1, y + 1, z) for x, y, z in corners] + [(3, 0, 0), (4, 0, 0), (3, 1, 0), (3.5, 1e-9, 0)]
     cube = [(0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4),
             (1, 5, 7), (1, 7, 3)]
     faces = cube + [tuple(8 + i for i in face) for face in cube] + [(16, 17, 18), (16, 17, 19), (16, 16, 17), (0, 1, 7)]
-    lines = [f"v {x * scale + offset:.9g} {y * scale:.9g} {z * scale:.9g}" for x, y, z in places]
+    lines = [f"v {x * scale + offset:.9g} {y * scale:.9g} {z * scale:.9g}" for x, y, z in positions]
     return "\n".join(lines + ["f " + " ".join(str(i + 1) for i in face) for face in faces]).encode()
 
 
@@ -41,8 +41,8 @@ class TraceExtremes(ServedTest):
     def test_lights(self):
         scene = self.server.new_scene("sphere", 500)
         for kind in ("point", "spot", "area"):
-            for place in ([0, 0, 0], [0, 0, 1], [0, 1e27, 0]):
-                light = {"kind": kind, "position": place, "intensity": 1e8}
+            for position in ([0, 0, 0], [0, 0, 1], [0, 1e27, 0]):
+                light = {"kind": kind, "position": position, "intensity": 1e8}
                 if kind != "point":
                     light["direction"] = [0, 0, -1]
                 self.assertEqual(scene.run({"op": "set_lights", "lights": [light]}).status, 200)

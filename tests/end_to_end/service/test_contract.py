@@ -230,9 +230,9 @@ class Requests(ServedTest):
         pick = {"view": {"camera": {"auto": "front"}, "width": 600, "height": 600}, "pixel": [1, 1]}
         for variation in self.variations(pick):
             self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
-        for place in ({"ray": {"origin": [0, 0, 9], "direction": [0, 0, -1]}}, {"nearest": [1, 2, 3]},
+        for query in ({"ray": {"origin": [0, 0, 9], "direction": [0, 0, -1]}}, {"nearest": [1, 2, 3]},
                       {"farthest": {"direction": [0, 1, 0], "min": [-1, -1, -1], "max": [1, 1, 1]}}):
-            for variation in self.variations(place):
+            for variation in self.variations(query):
                 self.agree("PickRequest", variation, lambda b: scene.post("pick", b))
 
     def test_layers(self):

@@ -180,8 +180,8 @@ class Scene:
 def comb(begin, end, *, samples=5, radius=0.15, **more):
     """A stroke from one point to another."""
     points = [[a + (b - a) * k / (samples - 1) for a, b in zip(begin, end)] for k in range(samples)]
-    places = [{"position": point, "time": 0.05 * k} for k, point in enumerate(points)]
-    return {"op": "comb", "stroke": {"samples": places}, "brush": {"radius": radius}, **more}
+    samples = [{"position": point, "time": 0.05 * k} for k, point in enumerate(points)]
+    return {"op": "comb", "stroke": {"samples": samples}, "brush": {"radius": radius}, **more}
 
 
 def flood(direction, **more):

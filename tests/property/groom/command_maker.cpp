@@ -89,12 +89,12 @@ Stroke CommandMaker::stroke() {
     StrokeSample sample;
     if (on_surface) {
       const glm::dvec3 shares = (cube() + 1.001) / 2.0;
-      sample.place = SurfaceSample{static_cast<std::uint32_t>(below(surface_.mesh().triangles.size())),
-                                   shares / (shares.x + shares.y + shares.z)};
+      sample.position = SurfaceSample{static_cast<std::uint32_t>(below(surface_.mesh().triangles.size())),
+                                      shares / (shares.x + shares.y + shares.z)};
     } else if (!stroke.samples.empty() && numbers_ == Numbers::extreme && chance(0.2)) {
-      sample.place = stroke.samples.back().place;
+      sample.position = stroke.samples.back().position;
     } else {
-      sample.place = PositionSample{point()};
+      sample.position = PositionSample{point()};
     }
     sample.pressure = extreme({0, 1}, 0, 1);
     stroke.samples.push_back(sample);

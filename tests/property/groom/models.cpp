@@ -50,9 +50,10 @@ RawModel many_parts(Random& random) {
   RawModel raw;
   for (int part = whole(random, 2, 4); part > 0; --part) {
     RawModel ball = make_builtin({Builtin::sphere, whole(random, 20, 120)});
-    const glm::dvec3 place = 3.0 * in_cube(random);
+    const glm::dvec3 centre = 3.0 * in_cube(random);
     const auto first = static_cast<std::uint32_t>(raw.positions.size());
-    for (const glm::dvec3 position : ball.positions) raw.positions.push_back(place + position + 0.01 * in_cube(random));
+    for (const glm::dvec3 position : ball.positions)
+      raw.positions.push_back(centre + position + 0.01 * in_cube(random));
     for (const std::uint32_t corner : ball.corners) raw.corners.push_back(first + corner);
     raw.face_sizes.insert(raw.face_sizes.end(), ball.face_sizes.begin(), ball.face_sizes.end());
   }

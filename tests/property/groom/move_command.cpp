@@ -9,8 +9,8 @@ namespace {
 
 class Mover {
  public:
-  Mover(const Motion& motion, const Mesh& from, const Mesh& to, const std::vector<std::uint32_t>& places)
-      : motion_(motion), from_(from), to_(to), places_(places), size_(from.size) {}
+  Mover(const Motion& motion, const Mesh& from, const Mesh& to, const std::vector<std::uint32_t>& new_indices)
+      : motion_(motion), from_(from), to_(to), new_indices_(new_indices), size_(from.size) {}
 
   template <class Tool>
   void operator()(Tool& tool) const {
@@ -26,7 +26,7 @@ class Mover {
   }
 
  private:
-  void place(glm::dvec3& p) const { p = motion_.place(p); }
+  void move_point(glm::dvec3& p) const { p = motion_.mapped(p); }
   void turn(glm::dvec3& d) const { d = motion_.turn * d; }
   void turn(std::optional<glm::dvec3>& d) const {
     if (d) turn(*d);
@@ -39,22 +39,22 @@ class Mover {
     length(brush.radius, brush.units == RadiusUnits::relative ? Units::relative : Units::world);
     brush.units = RadiusUnits::world;
     if (!brush.symmetry) return;
-    for (Plane& plane : brush.symmetry->planes) place(plane.point), turn(plane.normal);
-    place(brush.symmetry->axis_point), turn(brush.symmetry->axis);
+    for (Plane& plane : brush.symmetry->planes) move_point(plane.point), turn(plane.normal);
+    move_point(brush.symmetry->axis_point), turn(brush.symmetry->axis);
   }
   void move(Stroke& stroke) const {
     for (StrokeSample& sample : stroke.samples) {
-      if (auto* position = std::get_if<PositionSample>(&sample.place)) place(position->position);
-      if (auto* surface = std::get_if<SurfaceSample>(&sample.place)) move(*surface);
+      if (auto* in_space = std::get_if<PositionSample>(&sample.position)) move_point(in_space->position);
+      if (auto* on_skin = std::get_if<SurfaceSample>(&sample.position)) move(*on_skin);
     }
   }
   /// Keeps the triangle; its corners may come in another order.
-  void move(SurfaceSample& place) const {
-    const glm::dvec3 before = place.barycentric;
-    const glm::uvec3 old_corners = from_.triangles[place.triangle], corners = to_.triangles[place.triangle];
+  void move(SurfaceSample& sample) const {
+    const glm::dvec3 before = sample.barycentric;
+    const glm::uvec3 old_corners = from_.triangles[sample.triangle], corners = to_.triangles[sample.triangle];
     for (int k = 0; k < 3; ++k) {
       for (int j = 0; j < 3; ++j) {
-        if (corners[k] == places_[old_corners[j]]) place.barycentric[k] = before[j];
+        if (corners[k] == new_indices_[old_corners[j]]) sample.barycentric[k] = before[j];
       }
     }
   }
@@ -87,24 +87,24 @@ class Mover {
   }
 
   void move_parts(Comb& comb) const { turn(comb.direction); }
-  void move_parts(Blow& blow) const { place(blow.source), turn(blow.direction); }
-  void move_parts(Attract& attract) const { place(attract.point); }
+  void move_parts(Blow& blow) const { move_point(blow.source), turn(blow.direction); }
+  void move_parts(Attract& attract) const { move_point(attract.point); }
   void move_parts(Unify& unify) const { turn(unify.direction); }
   void move_parts(Interpolate& command) const {
-    for (Key& key : command.keys) place(key.position), turn(key.direction);
+    for (Key& key : command.keys) move_point(key.position), turn(key.direction);
   }
   void move_parts(Flow& command) const {
     for (auto& curve : command.curves) {
-      for (glm::dvec3& point : curve) place(point);
+      for (glm::dvec3& point : curve) move_point(point);
     }
   }
   void move_parts(Trim& trim) const {
-    if (auto* plane = std::get_if<TrimPlane>(&trim.shape)) place(plane->point), turn(plane->normal);
-    if (auto* sphere = std::get_if<TrimSphere>(&trim.shape)) place(sphere->centre);
+    if (auto* plane = std::get_if<TrimPlane>(&trim.shape)) move_point(plane->point), turn(plane->normal);
+    if (auto* sphere = std::get_if<TrimSphere>(&trim.shape)) move_point(sphere->centre);
   }
   void move_parts(ChangeMask& mask) const {
-    if (auto* sphere = std::get_if<MaskSphere>(&mask.shape)) place(sphere->centre);
-    if (auto* part = std::get_if<MaskPart>(&mask.shape)) place(part->position);
+    if (auto* sphere = std::get_if<MaskSphere>(&mask.shape)) move_point(sphere->centre);
+    if (auto* part = std::get_if<MaskPart>(&mask.shape)) move_point(part->position);
   }
   void move_parts(Noise&) const {}
   void move_parts(Length&) const {}
@@ -115,25 +115,25 @@ class Mover {
 
   const Motion& motion_;
   const Mesh &from_, &to_;
-  const std::vector<std::uint32_t>& places_;
+  const std::vector<std::uint32_t>& new_indices_;
   double size_;
 };
 
 }  // namespace
 
 Command moved(const Command& command, const Motion& motion, const Surface& from, const Surface& to,
-              const std::vector<std::uint32_t>& places) {
+              const std::vector<std::uint32_t>& new_indices) {
   Command other = command;
-  std::visit(Mover(motion, from.mesh(), to.mesh(), places), other);
-  renumber_vertices(other, places);
+  std::visit(Mover(motion, from.mesh(), to.mesh(), new_indices), other);
+  renumber_vertices(other, new_indices);
   return other;
 }
 
-void renumber_vertices(Command& command, const std::vector<std::uint32_t>& places) {
+void renumber_vertices(Command& command, const std::vector<std::uint32_t>& new_indices) {
   auto* mask = std::get_if<ChangeMask>(&command);
   auto* list = mask ? std::get_if<MaskVertices>(&mask->shape) : nullptr;
   if (!list) return;
-  for (std::uint32_t& vertex : list->vertices) vertex = places[vertex];
+  for (std::uint32_t& vertex : list->vertices) vertex = new_indices[vertex];
 }
 
 }  // namespace pelage::testing_commands

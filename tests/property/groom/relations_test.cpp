@@ -39,16 +39,16 @@ glm::dvec3 in_space(const Surface& surface, const FieldSet& fields, std::uint32_
 
 /// The same fur on a moved model: leans turn in space, everything else stays.
 FieldSet moved_fields(const FieldSet& fields, const Surface& from, const Surface& to, const Motion& motion,
-                      const std::vector<std::uint32_t>& places) {
+                      const std::vector<std::uint32_t>& new_indices) {
   FieldSet moved(fields.size());
   for (std::uint32_t v = 0; v < fields.size(); ++v) {
     for (std::size_t f = 1; f < field_count; ++f) {
       glm::vec4 value = fields.value(field_at(f), v);
       if (field_at(f) == Field::length) value *= motion.scale * from.mesh().size / to.mesh().size;
-      moved.set(field_at(f), places[v], value);
+      moved.set(field_at(f), new_indices[v], value);
     }
-    const glm::dvec2 lean = frame_at(to.mesh(), places[v]).tangent_part(motion.turn * in_space(from, fields, v));
-    moved.set(Field::direction, places[v], glm::vec4(stored_direction(lean), 0, 0));
+    const glm::dvec2 lean = frame_at(to.mesh(), new_indices[v]).tangent_part(motion.turn * in_space(from, fields, v));
+    moved.set(Field::direction, new_indices[v], glm::vec4(stored_direction(lean), 0, 0));
   }
   return moved;
 }
@@ -109,7 +109,7 @@ RawModel triangles_of(const Mesh& mesh) {
 }
 
 RawModel moved_model(RawModel raw, const Motion& motion) {
-  for (glm::dvec3& position : raw.positions) position = motion.place(position);
+  for (glm::dvec3& position : raw.positions) position = motion.mapped(position);
   if (glm::determinant(motion.turn) > 0) return raw;
   auto face = raw.corners.begin();
   for (const std::uint32_t corners : raw.face_sizes) {
@@ -120,17 +120,17 @@ RawModel moved_model(RawModel raw, const Motion& motion) {
 }
 
 /// For each vertex, the index of the vertex that is at its moved position.
-std::vector<std::uint32_t> moved_places(const Mesh& from, const Mesh& to, const Motion& motion) {
-  std::vector<std::uint32_t> places;
+std::vector<std::uint32_t> moved_indices(const Mesh& from, const Mesh& to, const Motion& motion) {
+  std::vector<std::uint32_t> new_indices;
   for (const glm::vec3 position : from.positions) {
-    const glm::dvec3 place = to.to_internal(motion.place(from.to_model(position)));
+    const glm::dvec3 moved_position = to.to_internal(motion.mapped(from.to_model(position)));
     const auto nearer = [&](glm::vec3 a, glm::vec3 b) {
-      return glm::distance(glm::dvec3(a), place) < glm::distance(glm::dvec3(b), place);
+      return glm::distance(glm::dvec3(a), moved_position) < glm::distance(glm::dvec3(b), moved_position);
     };
     const auto nearest = std::min_element(to.positions.begin(), to.positions.end(), nearer);
-    places.push_back(static_cast<std::uint32_t>(nearest - to.positions.begin()));
+    new_indices.push_back(static_cast<std::uint32_t>(nearest - to.positions.begin()));
   }
-  return places;
+  return new_indices;
 }
 
 /// Returns how a tool differs on a model that was turned, shifted, scaled and perhaps mirrored with all its lengths, or
@@ -142,18 +142,18 @@ std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mir
       std::holds_alternative<Flow>(testing_commands::empty_tool(tool));  // steps in hundredths of the size
   const Motion motion = random_motion(random, mirrored, !flows);
   const Surface here = surface_of(raw), there = surface_of(moved_model(raw, motion));
-  const std::vector<std::uint32_t> places = moved_places(here.mesh(), there.mesh(), motion);
+  const std::vector<std::uint32_t> new_indices = moved_indices(here.mesh(), there.mesh(), motion);
   // A nearly flat open sheet has no outside: rounding may flip it when it is prepared again.
-  const glm::dvec3 normal(there.mesh().normals[places[0]]);
+  const glm::dvec3 normal(there.mesh().normals[new_indices[0]]);
   if (glm::dot(motion.turn * glm::dvec3(here.mesh().normals[0]), normal) < 0) return {};
   CommandMaker make(seed, here, Numbers::ordinary, Views::none);
   const Command command = make.command(tool);
   if (by_chance(command) || has_hard_edge(command) || !resolve(command, here).ok()) return {};
-  const Command moved = testing_commands::moved(command, motion, here, there, places);
+  const Command moved = testing_commands::moved(command, motion, here, there, new_indices);
   const FieldSet before = make.fields(), rest = make.fields();
-  const FieldSet before_there = moved_fields(before, here, there, motion, places),
-                 rest_there = moved_fields(rest, here, there, motion, places);
-  const FieldSet expected = moved_fields(after(command, here, before, rest), here, there, motion, places);
+  const FieldSet before_there = moved_fields(before, here, there, motion, new_indices),
+                 rest_there = moved_fields(rest, here, there, motion, new_indices);
+  const FieldSet expected = moved_fields(after(command, here, before, rest), here, there, motion, new_indices);
   // 32-bit positions and normals are rounded again. Where a heading is nearly across the skin, rounding decides its
   // tangent direction.
   constexpr double tolerance = 2e-4;
@@ -178,29 +178,29 @@ TEST_P(ToolRelations, MirroredModelsAreGroomedMirrored) {
 
 /// Shuffles the vertices of a model. Returns the new index of each vertex.
 std::vector<std::uint32_t> shuffle(RawModel& raw, Random& random) {
-  std::vector<std::uint32_t> places(raw.positions.size());
-  std::iota(places.begin(), places.end(), 0u);
-  for (std::size_t k = places.size(); k > 1; --k)
-    std::swap(places[k - 1], places[static_cast<std::size_t>(random.uniform(0, static_cast<double>(k)))]);
+  std::vector<std::uint32_t> new_indices(raw.positions.size());
+  std::iota(new_indices.begin(), new_indices.end(), 0u);
+  for (std::size_t k = new_indices.size(); k > 1; --k)
+    std::swap(new_indices[k - 1], new_indices[static_cast<std::size_t>(random.uniform(0, static_cast<double>(k)))]);
   const std::vector<glm::dvec3> positions = raw.positions;
-  for (std::size_t k = 0; k < places.size(); ++k) raw.positions[places[k]] = positions[k];
-  for (std::uint32_t& corner : raw.corners) corner = places[corner];
-  return places;
+  for (std::size_t k = 0; k < new_indices.size(); ++k) raw.positions[new_indices[k]] = positions[k];
+  for (std::uint32_t& corner : raw.corners) corner = new_indices[corner];
+  return new_indices;
 }
 
-std::vector<std::uint32_t> same_places(const Mesh& from, const Mesh& to) {
+std::vector<std::uint32_t> same_indices(const Mesh& from, const Mesh& to) {
   std::map<std::array<float, 3>, std::uint32_t> numbers;
   for (std::uint32_t v = 0; v < to.positions.size(); ++v)
     numbers[{to.positions[v].x, to.positions[v].y, to.positions[v].z}] = v;
-  std::vector<std::uint32_t> places;
-  for (const glm::vec3 p : from.positions) places.push_back(numbers.at({p.x, p.y, p.z}));
-  return places;
+  std::vector<std::uint32_t> new_indices;
+  for (const glm::vec3 p : from.positions) new_indices.push_back(numbers.at({p.x, p.y, p.z}));
+  return new_indices;
 }
 
-FieldSet renumbered(const FieldSet& fields, const std::vector<std::uint32_t>& places) {
+FieldSet renumbered(const FieldSet& fields, const std::vector<std::uint32_t>& new_indices) {
   FieldSet other(fields.size());
   for (std::uint32_t v = 0; v < fields.size(); ++v) {
-    for (std::size_t f = 0; f < field_count; ++f) other.set(field_at(f), places[v], fields.value(field_at(f), v));
+    for (std::size_t f = 0; f < field_count; ++f) other.set(field_at(f), new_indices[v], fields.value(field_at(f), v));
   }
   return other;
 }
@@ -213,14 +213,14 @@ TEST_P(ToolRelations, NumbersOfVerticesDoNotMatter) {
     raw.length_scale.clear();
     shuffle(raw, random);
     const Surface there = surface_of(raw);
-    const std::vector<std::uint32_t> places = same_places(here.mesh(), there.mesh());
+    const std::vector<std::uint32_t> new_indices = same_indices(here.mesh(), there.mesh());
     CommandMaker make(seed, here, Numbers::ordinary);
     Command command = make.command(GetParam());
     if (!resolve(command, here).ok()) return;
     const FieldSet before = make.fields(), rest = make.fields();
-    const FieldSet expected = renumbered(after(command, here, before, rest), places);
-    testing_commands::renumber_vertices(command, places);
-    const FieldSet found = after(command, there, renumbered(before, places), renumbered(rest, places));
+    const FieldSet expected = renumbered(after(command, here, before, rest), new_indices);
+    testing_commands::renumber_vertices(command, new_indices);
+    const FieldSet found = after(command, there, renumbered(before, new_indices), renumbered(rest, new_indices));
     const std::string difference = difference_of(expected, found, 1e-5);
     if (!difference.empty()) RC_FAIL(difference);
   }));

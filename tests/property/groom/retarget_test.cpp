@@ -112,13 +112,13 @@ RC_GTEST_PROP(RetargetProperties, CarriedCommandsRunOnTheOtherModel, (std::uint6
   const Command command = maker.command();
   const Result<Command> resolved = resolve(command, from);
   if (!resolved) return;
-  const Result<Command> carried = transferred_command(*resolved, from, to);
-  if (!carried) {
-    RC_ASSERT(!carried.status().pointer.empty());
+  const Result<Command> transferred = transferred_command(*resolved, from, to);
+  if (!transferred) {
+    RC_ASSERT(!transferred.status().pointer.empty());
     return;
   }
-  RC_ASSERT(carried->index() == command.index());
-  const Result<Command> there = resolve(*carried, to);
+  RC_ASSERT(transferred->index() == command.index());
+  const Result<Command> there = resolve(*transferred, to);
   if (!there) return;  // may be out of reach on a different model
   const FieldSet fields = other.fields(), rest = other.fields();
   FieldSet result = fields;

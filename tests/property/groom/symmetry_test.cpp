@@ -23,36 +23,36 @@ using testing_shapes::lean_of;
 using testing_shapes::stroke_through;
 
 /// Collects every position and direction of a command, for comparison.
-std::vector<glm::dvec3> places_of(const Command& command) {
-  std::vector<glm::dvec3> places;
+std::vector<glm::dvec3> positions_of(const Command& command) {
+  std::vector<glm::dvec3> positions;
   std::visit(
       [&](const auto& tool) {
         if constexpr (requires { tool.stroke->samples; }) {
           if (tool.stroke) {
             for (const StrokeSample& sample : tool.stroke->samples)
-              places.push_back(std::get<PositionSample>(sample.place).position);
+              positions.push_back(std::get<PositionSample>(sample.position).position);
           }
         }
-        if constexpr (requires { tool.source; }) places.push_back(tool.source), places.push_back(tool.direction);
-        if constexpr (requires { tool.point; }) places.push_back(tool.point);
-        if constexpr (requires { tool.turn_degrees; }) places.push_back(glm::dvec3(tool.turn_degrees));
+        if constexpr (requires { tool.source; }) positions.push_back(tool.source), positions.push_back(tool.direction);
+        if constexpr (requires { tool.point; }) positions.push_back(tool.point);
+        if constexpr (requires { tool.turn_degrees; }) positions.push_back(glm::dvec3(tool.turn_degrees));
         if constexpr (std::is_same_v<std::decay_t<decltype(tool)>, Unify>)
-          places.push_back(tool.direction.value_or(glm::dvec3(0)));
+          positions.push_back(tool.direction.value_or(glm::dvec3(0)));
         if constexpr (std::is_same_v<std::decay_t<decltype(tool)>, Trim>) {
           if (auto* plane = std::get_if<TrimPlane>(&tool.shape))
-            places.push_back(plane->point), places.push_back(plane->normal);
-          if (auto* sphere = std::get_if<TrimSphere>(&tool.shape)) places.push_back(sphere->centre);
+            positions.push_back(plane->point), positions.push_back(plane->normal);
+          if (auto* sphere = std::get_if<TrimSphere>(&tool.shape)) positions.push_back(sphere->centre);
         }
         if constexpr (requires { tool.keys; }) {
           for (const Key& key : tool.keys)
-            places.push_back(key.position), places.push_back(key.direction.value_or(glm::dvec3(0)));
+            positions.push_back(key.position), positions.push_back(key.direction.value_or(glm::dvec3(0)));
         }
         if constexpr (requires { tool.curves; }) {
-          for (const auto& curve : tool.curves) places.insert(places.end(), curve.begin(), curve.end());
+          for (const auto& curve : tool.curves) positions.insert(positions.end(), curve.begin(), curve.end());
         }
       },
       command);
-  return places;
+  return positions;
 }
 
 bool is_flood(const Command& command) {
@@ -67,8 +67,9 @@ bool is_flood(const Command& command) {
 bool on_positions(const Command& command) {
   const Stroke* stroke = stroke_of(command);
   return stroke == nullptr ||
-         std::all_of(stroke->samples.begin(), stroke->samples.end(),
-                     [](const StrokeSample& sample) { return std::holds_alternative<PositionSample>(sample.place); });
+         std::all_of(stroke->samples.begin(), stroke->samples.end(), [](const StrokeSample& sample) {
+           return std::holds_alternative<PositionSample>(sample.position);
+         });
 }
 
 Symmetry random_symmetry(Random& random) {
@@ -86,18 +87,18 @@ RC_GTEST_PROP(Symmetry, ImagesAreThoseOfTheSecondImplementation, (std::uint64_t 
   Random random(seed);
   const Surface surface = testing_models::surface_of(testing_models::dented_builtin(random));
   CommandMaker make(seed, surface, Numbers::ordinary, Views::none);
-  constexpr std::size_t last_with_places = 15;  // the mask selects positions and is no stroke
-  Command command = make.command(static_cast<std::size_t>(random.uniform(0, last_with_places + 1)));
+  constexpr std::size_t last_with_positions = 15;  // the mask selects positions and is no stroke
+  Command command = make.command(static_cast<std::size_t>(random.uniform(0, last_with_positions + 1)));
   if (is_flood(command) || !on_positions(command)) return;
   const Symmetry symmetry = random_symmetry(random);
   const bool own = random.uniform(0, 1) < 0.5;  // the brush's symmetry instead of the scene's
   brush_of(command)->symmetry = own ? std::optional(symmetry) : std::nullopt;
   std::vector<glm::dvec3> expected, found;
   for (const Command& image : plain::images(command, symmetry)) {
-    for (const glm::dvec3 place : places_of(image)) expected.push_back(place);
+    for (const glm::dvec3 position : positions_of(image)) expected.push_back(position);
   }
   for (const Command& image : symmetry_images(command, own ? random_symmetry(random) : symmetry, surface)) {
-    for (const glm::dvec3 place : places_of(image)) found.push_back(place);
+    for (const glm::dvec3 position : positions_of(image)) found.push_back(position);
   }
   RC_ASSERT(expected.size() == found.size());
   for (std::size_t k = 0; k < found.size(); ++k)

@@ -61,7 +61,7 @@ std::string any_word(int min) {
                                           rc::gen::inRange<char>(' ', '~'));
 }
 
-glm::dvec3 random_place() {
+glm::dvec3 random_position() {
   const auto one = [] { return number(coordinate.low, coordinate.high); };
   return {one(), one(), one()};
 }
@@ -120,9 +120,9 @@ class MemberMaker {
   void json(MemberName, std::string& out, const char* = "") {
     if (coin()) out = nlohmann::json::parse(encode(command())).dump();
   }
-  void position(MemberName, glm::dvec3& out, const char* = "") { out = random_place(); }
+  void position(MemberName, glm::dvec3& out, const char* = "") { out = random_position(); }
   void position(MemberName, std::optional<glm::dvec3>& out, const char* = "") {
-    if (coin()) out = random_place();
+    if (coin()) out = random_position();
   }
   template <glm::length_t N>
   void vector(MemberName, glm::vec<N, double>& out, Range range, const char* = "") {
@@ -181,7 +181,7 @@ class MemberMaker {
   void curves(MemberName, std::vector<std::vector<glm::dvec3>>& out, Count, Count points, const char* = "") {
     out.assign(static_cast<std::size_t>(*rc::gen::inRange(1, 3)), {});
     for (std::vector<glm::dvec3>& curve : out) {
-      for (int size = length(points); size > 0; --size) curve.push_back(random_place());
+      for (int size = length(points); size > 0; --size) curve.push_back(random_position());
     }
   }
   template <class T, class Variant>
@@ -201,9 +201,9 @@ class MemberMaker {
   void special(MemberName, Backdrop<false> out, const char* = "") {
     out.kind = one_of(Background::studio), out.colour = testing::colour();
   }
-  void place(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
+  void sample_position(std::variant<PositionSample, ScreenSample, SurfaceSample>& out) {
     switch (*rc::gen::inRange(0, 3)) {
-      case 0: out = PositionSample{random_place()}; break;
+      case 0: out = PositionSample{random_position()}; break;
       case 1: out = ScreenSample{{testing::number(-1e6, 1e6), testing::number(-1e6, 1e6)}}; break;
       default: {
         const double a = testing::number(0, 1), b = testing::number(0, 1 - a);

@@ -21,7 +21,7 @@ class Script {
     const SnapshotPtr now = scene.snapshot();
     const SceneView view = now->view();
     const Mesh& mesh = view.model.surface.mesh();
-    for (const glm::vec3 p : mesh.positions) places_.push_back(mesh.to_model(glm::dvec3(p)));
+    for (const glm::vec3 p : mesh.positions) positions_.push_back(mesh.to_model(glm::dvec3(p)));
     triangles_ = mesh.triangles.size();
   }
 
@@ -103,16 +103,17 @@ class Script {
   Stroke stroke() {
     Stroke stroke;
     if (chance(0.3)) stroke.view = View{.camera = {.automatic = AutoView::three_quarter}, .width = 320, .height = 200};
-    const glm::dvec3 start = places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
+    const glm::dvec3 start = positions_[static_cast<std::size_t>(below(static_cast<int>(positions_.size())))];
     const glm::dvec2 pixel(random_.uniform(60, 260), random_.uniform(40, 160));
     for (int i = 0, n = 2 + below(12); i < n; ++i) {
       StrokeSample sample;
       if (stroke.view) {
-        sample.place = ScreenSample{pixel + glm::dvec2(4.0 * i, 3.0 * i)};
+        sample.position = ScreenSample{pixel + glm::dvec2(4.0 * i, 3.0 * i)};
       } else if (chance(0.2)) {
-        sample.place = SurfaceSample{static_cast<std::uint32_t>(below(static_cast<int>(triangles_))), {0.2, 0.3, 0.5}};
+        sample.position =
+            SurfaceSample{static_cast<std::uint32_t>(below(static_cast<int>(triangles_))), {0.2, 0.3, 0.5}};
       } else {
-        sample.place = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.4, -0.3)};
+        sample.position = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.4, -0.3)};
       }
       sample.pressure = random_.uniform(0.3, 1);
       stroke.samples.push_back(sample);
@@ -191,7 +192,7 @@ class Script {
     const int kind = below(6);
     if (kind == 0) {
       Blow blow;
-      blow.source = 3.0 * places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
+      blow.source = 3.0 * positions_[static_cast<std::size_t>(below(static_cast<int>(positions_.size())))];
       blow.direction = -blow.source;
       blow.cone_degrees = random_.uniform(2, 12);
       if (chance(0.5)) blow.stroke = stroke();
@@ -199,7 +200,7 @@ class Script {
     }
     if (kind == 1) {
       Attract attract;
-      attract.point = 1.2 * places_[static_cast<std::size_t>(below(static_cast<int>(places_.size())))];
+      attract.point = 1.2 * positions_[static_cast<std::size_t>(below(static_cast<int>(positions_.size())))];
       attract.radius = random_.uniform(0.05, 0.3);
       attract.strength = random_.uniform();
       if (chance(0.3)) attract.stroke = stroke();
@@ -235,7 +236,7 @@ class Script {
     }
     if (kind == 3) {
       SetCurves curves;
-      curves.groups.push_back({.curves = {{places_[0], 1.1 * places_[0]}}, .spread = random_.uniform()});
+      curves.groups.push_back({.curves = {{positions_[0], 1.1 * positions_[0]}}, .spread = random_.uniform()});
       return curves;
     }
     if (kind == 4) {
@@ -272,7 +273,7 @@ class Script {
   Scene& scene_;
   Random random_;
   Layers layers_;
-  std::vector<glm::dvec3> places_;
+  std::vector<glm::dvec3> positions_;
   std::size_t triangles_ = 0;
   int strokes_ = 0;
 };

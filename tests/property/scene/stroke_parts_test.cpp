@@ -12,15 +12,15 @@ using PartsTest = StoreTest;
 
 /// Sends one stroke whole to one scene and in random parts to another.
 void send_whole_and_in_parts(Random random, Scene& sent_whole, Scene& live, Comb whole) {
-  const glm::dvec3 start = std::get<PositionSample>(whole.stroke->samples[0].place).position;
+  const glm::dvec3 start = std::get<PositionSample>(whole.stroke->samples[0].position).position;
   whole.stroke->samples.clear();
   const bool drawn = random.uniform() < 0.4;
   if (drawn) whole.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 400, .height = 400};
   for (int i = 0; i < 20; ++i) {
     StrokeSample sample;
     const double away = random.uniform() < 0.2 ? 5 : 0;  // sometimes the pointer leaves the model
-    sample.place = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
-    if (drawn) sample.place = ScreenSample{{away > 0 ? 0 : 60 + 14 * i, 200 + 6 * i}};
+    sample.position = PositionSample{start + 0.02 * i * glm::dvec3(1, 0.5, -0.4) + away};
+    if (drawn) sample.position = ScreenSample{{away > 0 ? 0 : 60 + 14 * i, 200 + 6 * i}};
     whole.stroke->samples.push_back(sample);
   }
   RC_ASSERT(sent_whole.execute({whole}).ok());

@@ -15,7 +15,7 @@ T one_of(std::vector<T> values) {
   return *rc::gen::elementOf(std::move(values));
 }
 
-glm::vec3 any_place() {
+glm::vec3 any_position() {
   const auto number = [] { return one_of<float>({0, 0.1f, -0.25f, 0.26f, 0.7f, -3, 1e6f, 1e30f}); };
   return {number(), number(), number()};
 }
@@ -23,8 +23,8 @@ glm::vec3 any_place() {
 FurLight any_light() {
   FurLight light;
   light.kind = one_of<LightKind>({LightKind::directional, LightKind::point, LightKind::spot, LightKind::area});
-  const glm::vec3 place = any_place(), way = glm::min(any_place(), 1e6f);
-  light.position = place;
+  const glm::vec3 position = any_position(), way = glm::min(any_position(), 1e6f);
+  light.position = position;
   light.direction = glm::length(way) > 0 ? glm::normalize(way) : glm::vec3(0, -1, 0);
   light.radiance = glm::vec3(1, 0.5f, 0) * one_of<float>({0, 1e-3f, 1, 1e8f});
   light.cone = one_of<float>({0, 0.5f, 1}), light.soft_cone = one_of<float>({0, 0.7f, 1});
@@ -48,7 +48,7 @@ Coat any_coat() {
 FurFrame any_frame() {
   FurFrame frame = frame_at(1, any_coat(), one_of<Transport>({Transport::transmittance, Transport::paths}), 1);
   frame.width = one_of<int>({1, 7, 12}), frame.height = one_of<int>({1, 5, 10});
-  frame.camera.position = any_place();
+  frame.camera.position = any_position();
   frame.camera.tan_half_fov = one_of<float>({0.0087f, 0.2f, 3.73f});
   for (int i = one_of<int>({0, 1, 3}); i > 0; --i) frame.lights.push_back(any_light());
   frame.environment.intensity = one_of<double>({0, 1, 100});

@@ -38,8 +38,8 @@ struct Fan {
   }
 };
 
-void add_vertex(Fan& fan, glm::dvec2 place) {
-  fan.positions.emplace_back(place, 0);
+void add_vertex(Fan& fan, glm::dvec2 position) {
+  fan.positions.emplace_back(position, 0);
   fan.normals.emplace_back(0, 0, 1), fan.tangents.emplace_back(1, 0, 0);
   const double angle = between(0, 6.3), inclination = between(0, 1);
   fan.direction.emplace_back(inclination * std::cos(angle), inclination * std::sin(angle));
@@ -94,16 +94,16 @@ RC_GTEST_PROP(GrowProperties, StrandsAreFiniteAndKeepToTheirPieces, ()) {
   RC_ASSERT(set.points.size() == knots * set.count());
   RC_ASSERT(set.colours.size() == set.points.size());
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const glm::vec3 root = set.points[i * knots].place;
+    const glm::vec3 root = set.points[i * knots].position;
     RC_ASSERT(glm::distance(root, fan.positions[0]) < 0.11f);
     RC_ASSERT(root.z == 0);
     RC_ASSERT(set.roots[i].reach > 0 && set.roots[i].reach <= 1);
     RC_ASSERT(set.roots[i].number >= 0 && set.roots[i].number <= 1);
     for (std::size_t k = 0; k < knots; ++k) {
       const StrandPoint& point = set.points[i * knots + k];
-      RC_ASSERT(finite(point.place));
+      RC_ASSERT(finite(point.position));
       RC_ASSERT(point.radius >= 1e-7f && point.radius <= 4 * 10 * 4 * 0.05f);
-      RC_ASSERT(glm::distance(point.place, root) <= 2 * 2.0f * 10 + 0.1f);
+      RC_ASSERT(glm::distance(point.position, root) <= 2 * 2.0f * 10 + 0.1f);
     }
   }
 }
@@ -120,10 +120,10 @@ RC_GTEST_PROP(GrowProperties, EachCopyFallsIntoOneTriangleOfAFan, ()) {
     cells.find(triangle, found);
     for (const TileCopy& copy : found) {
       seen.emplace_back(copy.strand, copy.tiles.x, copy.tiles.y);
-      const glm::dvec2 place = strands[copy.strand].root + glm::dvec2(copy.tiles) * coat.tile;
+      const glm::dvec2 position = strands[copy.strand].root + glm::dvec2(copy.tiles) * coat.tile;
       glm::dvec2 back(0);
       for (int k = 0; k < 3; ++k) back += copy.share[k] * triangle[static_cast<std::size_t>(k)];
-      RC_ASSERT(glm::distance(place, back) < 1e-9);
+      RC_ASSERT(glm::distance(position, back) < 1e-9);
     }
   }
   std::sort(seen.begin(), seen.end());

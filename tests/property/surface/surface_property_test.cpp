@@ -20,7 +20,7 @@ int whole(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen
 double between(double low, double high) { return low + (high - low) * whole(0, 1'000'000) * 1e-6; }
 
 /// Coordinates anywhere, or on a coarse grid, where vertices coincide, edges are shared and triangles have no area.
-glm::dvec3 place(bool on_grid) {
+glm::dvec3 random_position(bool on_grid) {
   if (!on_grid) return {between(-1, 1), between(-1, 1), between(-1, 1)};
   const auto step = [] { return static_cast<double>(whole(-2, 3)) * 0.5; };
   const double x = step(), y = step(), z = step();
@@ -38,7 +38,7 @@ RawModel soup(bool nasty) {
   const double scale = std::pow(10.0, whole(-15, 20));
   const int vertices = whole(3, 40), faces = whole(1, 60);
   for (int v = 0; v < vertices; ++v) {
-    raw.positions.push_back(scale * place(on_grid));
+    raw.positions.push_back(scale * random_position(on_grid));
     if (nasty && whole(0, 20) == 0) raw.positions.back()[v % 3] = odd_number();
   }
   for (int f = 0; f < faces; ++f) {
@@ -216,7 +216,7 @@ RC_GTEST_PROP(Surface, NearestAgreesWithEveryTriangleTried, ()) {
   Result<Mesh> mesh = prepare(soup(false));
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
-  const glm::dvec3 from = std::pow(10.0, whole(-3, 5)) * place(false);
+  const glm::dvec3 from = std::pow(10.0, whole(-3, 5)) * random_position(false);
   double min = std::numeric_limits<double>::infinity();
   for (const glm::uvec3& t : surface.mesh().triangles) {
     min = std::min(min, nearest_on_triangle(corners_of(surface.mesh(), t), from).distance);
@@ -228,8 +228,8 @@ RC_GTEST_PROP(Surface, NearestAgreesWithEveryTriangleTried, ()) {
 
 /// No point of a triangle, on a fine grid, is nearer than the one found.
 RC_GTEST_PROP(Surface, NearestOnTriangleIsNearest, ()) {
-  const std::array<glm::dvec3, 3> corners = {place(false), place(false), place(false)};
-  const glm::dvec3 from = place(false) * 2.0;
+  const std::array<glm::dvec3, 3> corners = {random_position(false), random_position(false), random_position(false)};
+  const glm::dvec3 from = random_position(false) * 2.0;
   const TrianglePoint found = nearest_on_triangle(corners, from);
   constexpr int steps = 40;
   for (int i = 0; i <= steps; ++i) {
@@ -259,7 +259,8 @@ RC_GTEST_PROP(Surface, RaysAgreeWithEveryTriangleTried, ()) {
   Result<Mesh> mesh = prepare(soup(false));
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
-  const glm::dvec3 origin = place(false) * 2.0, direction = glm::normalize(place(false) * 0.3 - origin);
+  const glm::dvec3 origin = random_position(false) * 2.0,
+                   direction = glm::normalize(random_position(false) * 0.3 - origin);
   RC_PRE(std::isfinite(direction.x));
   constexpr double clear = 1e-3;  // rounding may decide whatever is closer to an edge or to the origin
   double nearest = std::numeric_limits<double>::infinity();
@@ -282,7 +283,7 @@ RC_GTEST_PROP(Surface, VerticesWithinAgreeWithEveryVertexTried, ()) {
   const auto& positions = surface.mesh().positions;
   const bool at_vertex = *rc::gen::arbitrary<bool>();
   const auto some = [&] { return static_cast<std::size_t>(whole(0, static_cast<int>(positions.size()))); };
-  const glm::dvec3 centre = at_vertex ? glm::dvec3(positions[some()]) : place(false);
+  const glm::dvec3 centre = at_vertex ? glm::dvec3(positions[some()]) : random_position(false);
   // Often the exact distance of a vertex, so that "at most" is tested.
   const double radius = *rc::gen::element(0.0, between(0, 2), glm::length(centre - glm::dvec3(positions[some()])));
   std::vector<std::uint32_t> expected, found;
@@ -298,7 +299,8 @@ RC_GTEST_PROP(Surface, VerticesAlongALineAgreeWithEveryVertexTried, ()) {
   RC_PRE(mesh.ok());
   const Surface surface(std::move(mesh).value());
   const auto& positions = surface.mesh().positions;
-  const glm::dvec3 from = place(false), to = *rc::gen::arbitrary<bool>() ? from : place(false), along = to - from;
+  const glm::dvec3 from = random_position(false), to = *rc::gen::arbitrary<bool>() ? from : random_position(false),
+                   along = to - from;
   const auto distance = [&](glm::dvec3 point) {
     const double share = along == glm::dvec3(0) ? 0 : glm::dot(point - from, along) / glm::dot(along, along);
     return glm::length(from + std::clamp(share, 0.0, 1.0) * along - point);

@@ -53,9 +53,9 @@ export function gltfFolder(root) {
   const folder = join(root, "gltf");
   mkdirSync(folder, {recursive: true});
   const positions = quads.flatMap((quad) => quad.map((corner) => corners[corner])).flat();
-  const places = quads.flatMap(() => uvs).flat();
+  const corner_uvs = quads.flatMap(() => uvs).flat();
   const indices = quads.flatMap((_, k) => [0, 1, 2, 0, 2, 3].map((at) => 4 * k + at));
-  const binary = Buffer.concat([Buffer.from(new Float32Array(positions).buffer), Buffer.from(new Float32Array(places).buffer), Buffer.from(new Uint16Array(indices).buffer)]);
+  const binary = Buffer.concat([Buffer.from(new Float32Array(positions).buffer), Buffer.from(new Float32Array(corner_uvs).buffer), Buffer.from(new Uint16Array(indices).buffer)]);
   const views = [[0, 288], [288, 192], [480, 72]].map(([byteOffset, byteLength]) => ({buffer: 0, byteOffset, byteLength}));
   writeFileSync(join(folder, "the box.bin"), binary);
   writeFileSync(join(folder, "skin.png"), png(4, [0, 255, 0]));

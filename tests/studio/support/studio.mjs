@@ -88,16 +88,16 @@ export class Studio {
     await this.page.mouse.move(x, y);
   }
 
-  /** A place in the picture, as shares of its width and height, in the page's pixels. */
+  /** A position in the picture, as shares of its width and height, in the page's pixels. */
   async at(x, y) {
     const box = await this.page.locator(".surface").boundingBox();
     return [box.x + x * box.width, box.y + y * box.height];
   }
 
-  /** Drags through places given as shares of the picture. */
-  async drag(places, {button = "left", steps = 12} = {}) {
+  /** Drags through positions given as shares of the picture. */
+  async drag(positions, {button = "left", steps = 12} = {}) {
     const points = [];
-    for (const [x, y] of places) points.push(await this.at(x, y));
+    for (const [x, y] of positions) points.push(await this.at(x, y));
     await this.page.mouse.move(...points[0]);
     await this.page.mouse.down({button});
     for (const point of points.slice(1)) await this.page.mouse.move(...point, {steps});

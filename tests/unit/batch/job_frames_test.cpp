@@ -90,12 +90,12 @@ TEST_F(JobFrames, ThatAreBlurredAreDrawnWhileTheShutterIsOpen) {
                                 "keys": [{"frame": 1, "value": 0}, {"frame": 5, "value": 4}]}])";
   const auto sharp = plan(job_of(moves));
   const auto frames = plan(job_of(moves + R"(, "motion_blur": {"shutter": 0.5, "samples": 4})"));
-  EXPECT_TRUE(sharp[2].open.empty());
-  ASSERT_EQ(frames[2].open.size(), 4u);
+  EXPECT_TRUE(sharp[2].shutter_moments.empty());
+  ASSERT_EQ(frames[2].shutter_moments.size(), 4u);
   EXPECT_EQ(encode(frames[2].moment.request), encode(sharp[2].moment.request));
   EXPECT_NE(frames[2].fingerprint, sharp[2].fingerprint);
   for (std::size_t k = 0; k < 4; ++k) {
-    const FrameRequest& request = frames[2].open[k].request;
+    const FrameRequest& request = frames[2].shutter_moments[k].request;
     const double later = 0.5 * ((static_cast<double>(k) + 0.5) / 4 - 0.5);
     EXPECT_DOUBLE_EQ(*request.time, (3 + later) / 10);
     EXPECT_NEAR(request.exposure, 2 + later, 1e-12);
@@ -109,7 +109,7 @@ TEST_F(JobFrames, ThatAreBlurredTurnAsFastAsTheirClip) {
   RenderJob job = job_of(R"(, "turntable": {"turns": "camera"}, "motion_blur": {"shutter": 1, "samples": 2})");
   job.frames = "1-9x2";  // five frames: one frame's time is half of the time between two of them
   const auto frames = plan(job);
-  const Camera own = frames[1].moment.request.camera, open = frames[1].open[1].request.camera;
+  const Camera own = frames[1].moment.request.camera, open = frames[1].shutter_moments[1].request.camera;
   const Camera turned = turned_camera(own, 1, scene_->scene()->model()->surface.mesh(), 72.0 / 2 / 4);
   EXPECT_LT(glm::length(open.position - turned.position), 1e-9);
 }
@@ -118,7 +118,7 @@ TEST_F(JobFrames, ThatAreBlurredShareTheirTracingOut) {
   const auto frames = plan(job_of(R"(, "motion_blur": {"samples": 4}, "frame": {"quality": {"method": "strands",
                                       "trace": {"passes": 10, "noise": 0.01, "seconds": 8, "seed": 7}}})"));
   for (std::uint32_t k = 0; k < 4; ++k) {
-    const Tracing& trace = frames[0].open[k].request.knobs.trace;
+    const Tracing& trace = frames[0].shutter_moments[k].request.knobs.trace;
     EXPECT_EQ(trace.passes, 3);
     EXPECT_DOUBLE_EQ(trace.noise, 0.02);
     EXPECT_DOUBLE_EQ(trace.seconds, 2);

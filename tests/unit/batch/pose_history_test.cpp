@@ -72,8 +72,8 @@ TEST_F(PoseHistoryTest, OfATurnPointsOutOfTheSkinAsItDidThen) {
                    }()))
                        .value();
   for (std::uint32_t v = 0; v < now.positions.size(); v += 7) {
-    const glm::dvec3 place = now.to_model(glm::dvec3(now.positions[v])) / size_;
-    const glm::dvec3 inwards = -rate * rate * glm::dvec3(place.x, 0, place.z);
+    const glm::dvec3 position = now.to_model(glm::dvec3(now.positions[v])) / size_;
+    const glm::dvec3 inwards = -rate * rate * glm::dvec3(position.x, 0, position.z);
     for (const double t : {1.0, 0.2})  // in the body's current coordinates, at any earlier time
       ASSERT_LT(glm::distance(swing->acceleration(v, t), inwards), 0.02) << v;
   }

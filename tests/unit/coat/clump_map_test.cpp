@@ -26,9 +26,9 @@ TEST(ClumpMap, LeadsToTheMiddlesOfTheCoatsClumps) {
     ASSERT_EQ(map.texels.size(), 4u * ClumpMap::side * ClumpMap::side);
     for (int i = 0; i < 500; ++i) {
       const glm::ivec2 at(i * 37 % ClumpMap::side, i * 101 % ClumpMap::side);
-      const glm::dvec2 place = (glm::dvec2(at) + 0.5) / double(ClumpMap::side);
-      const glm::dvec2 middle = clumps.nearest(place * coat.tile).centre / coat.tile;
-      EXPECT_LT(glm::distance(place + texel_at(map, at.x, at.y).way, middle), 0.01 * map.reach);
+      const glm::dvec2 position = (glm::dvec2(at) + 0.5) / double(ClumpMap::side);
+      const glm::dvec2 middle = clumps.nearest(position * coat.tile).centre / coat.tile;
+      EXPECT_LT(glm::distance(position + texel_at(map, at.x, at.y).way, middle), 0.01 * map.reach);
     }
   }
 }

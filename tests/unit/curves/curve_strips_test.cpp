@@ -8,7 +8,7 @@
 namespace pelage {
 namespace {
 
-constexpr std::size_t places_of_curve = curve_segments + 1;
+constexpr std::size_t points_of_curve = curve_segments + 1;
 
 /// Straight guides of length 1 along Z, in a row on the X axis.
 FurCurves comb_of(int guides, int fill, double spread = 0) {
@@ -24,14 +24,14 @@ FurCurves comb_of(int guides, int fill, double spread = 0) {
 }
 
 CurveStrips strips_of(const FurCurves& group) { return make_strips({&group, 1}); }
-glm::vec3 root_of(const CurveStrips& strips, std::size_t curve) { return strips.points[curve * places_of_curve]; }
+glm::vec3 root_of(const CurveStrips& strips, std::size_t curve) { return strips.points[curve * points_of_curve]; }
 glm::vec3 tip_of(const CurveStrips& strips, std::size_t curve) {
-  return strips.points[curve * places_of_curve + curve_segments];
+  return strips.points[curve * points_of_curve + curve_segments];
 }
 
 void expect_finite(const CurveStrips& strips) {
-  for (const glm::vec3& place : strips.points) {
-    for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::isfinite(place[k]));
+  for (const glm::vec3& point : strips.points) {
+    for (int k = 0; k < 3; ++k) ASSERT_TRUE(std::isfinite(point[k]));
   }
   for (const CurveStyle& style : strips.styles) EXPECT_NEAR(glm::length(glm::vec3(style.normal)), 1, 1e-6);
 }
@@ -41,8 +41,8 @@ TEST(CurveStrips, GuidesAloneAreDrawnAsTheyAreGiven) {
   group.guides[1].points = {{1, 0, 0}, {1, 1, 0}, {2, 1, 0}};
   const CurveStrips strips = strips_of(group);
   ASSERT_EQ(strips.styles.size(), 3u);
-  ASSERT_EQ(strips.points.size(), 3 * places_of_curve);
-  EXPECT_EQ(strips.points[places_of_curve + curve_segments / 2], glm::vec3(1, 1, 0));
+  ASSERT_EQ(strips.points.size(), 3 * points_of_curve);
+  EXPECT_EQ(strips.points[points_of_curve + curve_segments / 2], glm::vec3(1, 1, 0));
   EXPECT_EQ(tip_of(strips, 1), glm::vec3(2, 1, 0));
   EXPECT_EQ(strips.styles[0].root, glm::vec4(1, 0.5f, 0.25f, 0.01f));
   EXPECT_EQ(strips.styles[0].tip, glm::vec4(0, 0.5f, 1, 0.001f));

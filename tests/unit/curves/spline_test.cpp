@@ -38,8 +38,8 @@ TEST(Spline, StaysAtItsEndsOutsideOfTheRange) {
 }
 
 TEST(Spline, PointsThatCoincideAreFinite) {
-  const std::vector<glm::dvec3> one_place(4, glm::dvec3(1e6, -1e6, 0));
-  for (const double t : {0.0, 0.1, 0.5, 1.0}) EXPECT_EQ(spline_point(one_place, t), one_place[0]);
+  const std::vector<glm::dvec3> one_position(4, glm::dvec3(1e6, -1e6, 0));
+  for (const double t : {0.0, 0.1, 0.5, 1.0}) EXPECT_EQ(spline_point(one_position, t), one_position[0]);
 }
 
 }  // namespace

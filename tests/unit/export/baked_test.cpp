@@ -67,9 +67,9 @@ TEST(BakedShells, LieFurtherOutFromRootToTip) {
   double before = 0;
   for (const double s : {0.0, 0.25, 0.5, 1.0}) {
     double distance = 0;
-    const std::vector<glm::vec3> places = places_at(model.view(), s);
-    for (const glm::vec3& place : places)
-      distance += static_cast<double>(glm::length(place)) / static_cast<double>(places.size());
+    const std::vector<glm::vec3> positions = positions_at(model.view(), s);
+    for (const glm::vec3& position : positions)
+      distance += static_cast<double>(glm::length(position)) / static_cast<double>(positions.size());
     EXPECT_GT(distance, before);
     before = distance;
   }

@@ -111,7 +111,7 @@ TEST(Clumps, KeepTheSidesOfAThinSheetApart) {
   strands.sets.front().roots[1].normal = {0, 0, 1};
   const std::vector<CardLine> one = make_clumps(strands, 0.3);
   ASSERT_EQ(one.size(), 1u);
-  EXPECT_NEAR(one.front().places.back().z, 0.5f, 1e-6f) << "the mean of both";
+  EXPECT_NEAR(one.front().positions.back().z, 0.5f, 1e-6f) << "the mean of both";
 }
 
 /// The card is opaque at the roots and sparse at the tips.

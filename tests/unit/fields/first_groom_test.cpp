@@ -39,7 +39,7 @@ Flow flow_of(const Mesh& mesh) {
 /// source, sink or whorl, -1 at a saddle.
 int index_of(const Mesh& mesh, const Flow& flow, const glm::uvec3& t) {
   double turned = 0;
-  glm::dvec3 carried(1, 0, 0);
+  glm::dvec3 along_edges(1, 0, 0);
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t a = t[k], b = t[(k + 1) % 3];
     const glm::dvec3 from(mesh.normals[a]), to(mesh.normals[b]);
@@ -47,9 +47,9 @@ int index_of(const Mesh& mesh, const Flow& flow, const glm::uvec3& t) {
       return std::atan2(glm::dot(glm::cross(u, v), axis), glm::dot(u, v));
     };
     turned += angle(transported(flow.ways[a], from, to), flow.ways[b], to);
-    if (k == 0) carried = flow.ways[a];
-    carried = transported(carried, from, to);
-    if (k == 2) turned += angle(flow.ways[t.x], carried, to);
+    if (k == 0) along_edges = flow.ways[a];
+    along_edges = transported(along_edges, from, to);
+    if (k == 2) turned += angle(flow.ways[t.x], along_edges, to);
   }
   return static_cast<int>(std::lround(turned / 6.283185307179586));
 }
@@ -146,12 +146,12 @@ RawModel symmetric_ball(int rings) {
   RawModel ball = shapes::ball(rings);
   RawModel half = ball;
   half.face_sizes.clear(), half.corners.clear();
-  std::map<std::tuple<long, long, long>, std::uint32_t> places;
+  std::map<std::tuple<long, long, long>, std::uint32_t> vertex_at;
   const auto key = [](glm::dvec3 p) {
     return std::tuple(std::lround(p.x * 1e6), std::lround(p.y * 1e6), std::lround(p.z * 1e6));
   };
-  for (std::uint32_t v = 0; v < ball.positions.size(); ++v) places[key(ball.positions[v])] = v;
-  const auto mirror = [&](std::uint32_t v) { return places.at(key(ball.positions[v] * glm::dvec3(-1, 1, 1))); };
+  for (std::uint32_t v = 0; v < ball.positions.size(); ++v) vertex_at[key(ball.positions[v])] = v;
+  const auto mirror = [&](std::uint32_t v) { return vertex_at.at(key(ball.positions[v] * glm::dvec3(-1, 1, 1))); };
   for (std::size_t i = 0; i < ball.corners.size(); i += 3) {
     const std::array<std::uint32_t, 3> t{ball.corners[i], ball.corners[i + 1], ball.corners[i + 2]};
     if (ball.positions[t[0]].x + ball.positions[t[1]].x + ball.positions[t[2]].x < 0) continue;
@@ -176,17 +176,17 @@ Mesh toy() {
 TEST(FurFlow, IsSymmetricOnASymmetricModel) {
   const Mesh mesh = toy();
   const Flow flow = flow_of(mesh);
-  std::map<std::tuple<long, long, long>, std::size_t> places;
+  std::map<std::tuple<long, long, long>, std::size_t> vertex_at;
   const auto key = [](glm::vec3 p) {
     const auto rounded = [](float x) { return std::lround(x * 1e4f); };
     return std::tuple(rounded(p.x), rounded(p.y), rounded(p.z));
   };
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v) places[key(mesh.positions[v])] = v;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) vertex_at[key(mesh.positions[v])] = v;
   std::size_t pairs = 0, alike = 0;
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::vec3 p = mesh.positions[v];
-    const auto other = places.find(key({-p.x, p.y, p.z}));
-    if (other == places.end()) continue;
+    const auto other = vertex_at.find(key({-p.x, p.y, p.z}));
+    if (other == vertex_at.end()) continue;
     const glm::dvec3 way = flow.ways[v] * flow.lengths[v];
     const glm::dvec3 mirrored = flow.ways[other->second] * flow.lengths[other->second] * glm::dvec3(-1, 1, 1);
     ++pairs, alike += glm::distance(way, mirrored) < 0.15 ? 1 : 0;

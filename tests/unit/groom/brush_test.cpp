@@ -116,7 +116,7 @@ TEST_F(BrushTest, PathBetweenSurfaceSamplesFollowsTheSurface) {
   for (const glm::dvec3 from : {glm::dvec3(0, 0, 2), glm::dvec3(2, 0, 0)}) {
     const SurfacePoint point = sphere_.nearest(from);
     StrokeSample sample;
-    sample.place = SurfaceSample{point.triangle, point.barycentric};
+    sample.position = SurfaceSample{point.triangle, point.barycentric};
     stroke.samples.push_back(sample);
   }
   const double radius = glm::length(glm::dvec3(sphere_.mesh().positions[0]));

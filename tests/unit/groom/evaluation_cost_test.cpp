@@ -23,10 +23,10 @@ class EvaluationCostTest : public ::testing::Test {
  protected:
   /// A stroke around the sphere.
   static Comb round(const Surface& surface, int samples, FalloffShape shape = FalloffShape::surface) {
-    std::vector<glm::dvec3> places;
-    for (int i = 0; i < samples; ++i) places.emplace_back(0.3 * std::cos(0.01 * i), 0.0, 0.3 * std::sin(0.01 * i));
+    std::vector<glm::dvec3> positions;
+    for (int i = 0; i < samples; ++i) positions.emplace_back(0.3 * std::cos(0.01 * i), 0.0, 0.3 * std::sin(0.01 * i));
     Comb comb;
-    comb.stroke = stroke_through(surface, places);
+    comb.stroke = stroke_through(surface, positions);
     comb.brush.falloff_shape = shape;
     return comb;
   }

@@ -27,7 +27,7 @@ class FloodsTest : public ::testing::Test {
     fields.apply(evaluate(noise, surface_, fields).delta);
     return fields;
   }
-  glm::dvec3 place(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
+  glm::dvec3 position(std::uint32_t v) const { return glm::dvec3(surface_.mesh().positions[v]); }
 
   /// Smoothed lengths, computed by the definition.
   std::vector<double> plainly_smoothed(const Smooth& command, const FieldSet& fields) const {
@@ -38,7 +38,7 @@ class FloodsTest : public ::testing::Test {
       for (const auto [v, weight] : region) {
         double mean = 0, sum = 0;
         for (const std::uint32_t other : surface_.neighbours(v)) {
-          const double inverse = 1 / glm::distance(place(v), place(other));
+          const double inverse = 1 / glm::distance(position(v), position(other));
           mean += inverse * now[other], sum += inverse;
         }
         next[v] = now[v] + command.t * weight * (mean / sum - now[v]);
@@ -66,7 +66,7 @@ TEST_F(FloodsTest, SmoothFollowsItsFormulaEverywhere) {
 
 TEST_F(FloodsTest, SmoothFollowsItsFormulaUnderAStroke) {
   Smooth command{.passes = 1, .fields = {Field::length}};
-  command.stroke = stroke_through(surface_, {place(100), place(140)});
+  command.stroke = stroke_through(surface_, {position(100), position(140)});
   command.brush.radius = 0.03;
   expect_smoothed(command);
   command.passes = 5;
@@ -81,7 +81,7 @@ TEST_F(FloodsTest, SmoothingDirectionsTurnsThemIntoTheVertexsFrame) {
     glm::dvec3 mean(0);
     double sum = 0;
     for (const std::uint32_t other : surface_.neighbours(v)) {
-      const double inverse = 1 / glm::distance(place(v), place(other));
+      const double inverse = 1 / glm::distance(position(v), position(other));
       mean += inverse * lean_of(surface_, before.at(other), other), sum += inverse;
     }
     // Neighbours' frames differ by less than a degree here, so vectors in space may replace transport on the surface.
@@ -96,7 +96,7 @@ TEST_F(FloodsTest, ManyKeysFollowTheFormulaAsFewDo) {
   std::vector<std::uint32_t> vertices;
   for (int k = 0; k < 40; ++k) {  // more than one batch of the search
     vertices.push_back(static_cast<std::uint32_t>(random.uniform(0, static_cast<double>(mesh.positions.size()))));
-    Key key{.position = mesh.to_model(place(vertices.back()))};
+    Key key{.position = mesh.to_model(position(vertices.back()))};
     if (k % 3 != 0) key.length = 0.001 * (k + 1);
     command.keys.push_back(key);
   }
@@ -107,7 +107,7 @@ TEST_F(FloodsTest, ManyKeysFollowTheFormulaAsFewDo) {
     double sum = 0, weights = 0;
     for (std::size_t k = 0; k < vertices.size(); ++k) {
       if (!command.keys[k].length) continue;
-      const double distance = glm::distance(place(v), place(vertices[k]));
+      const double distance = glm::distance(position(v), position(vertices[k]));
       const double weight = std::exp(-0.5 * distance * distance / (0.1 * 0.1));
       sum += weight * *command.keys[k].length, weights += weight;
     }
@@ -118,8 +118,8 @@ TEST_F(FloodsTest, ManyKeysFollowTheFormulaAsFewDo) {
 TEST_F(FloodsTest, GiveTheSameBitsEveryTime) {
   const Mesh& mesh = surface_.mesh();
   const FieldSet fields = ruffled();
-  const Key key{mesh.to_model(place(5)), glm::dvec3(0, 1, 0), 0.9, 0.05},
-      other{mesh.to_model(place(20'000)), glm::dvec3(1, 0, 0)};
+  const Key key{mesh.to_model(position(5)), glm::dvec3(0, 1, 0), 0.9, 0.05},
+      other{mesh.to_model(position(20'000)), glm::dvec3(1, 0, 0)};
   const std::vector<Command> commands{
       Comb{.flood = true, .direction = glm::dvec3(1, 2, 3)},
       Smooth{.flood = true, .passes = 1, .fields = {Field::direction, Field::length}},
@@ -127,7 +127,7 @@ TEST_F(FloodsTest, GiveTheSameBitsEveryTime) {
       Noise{.flood = true, .feature_size = 0.1, .fields = {Field::direction, Field::tip_colour}},
       Unify{.flood = true, .mean = {Field::direction, Field::length}},
       Interpolate{.keys = {key, other}},
-      Flow{.curves = {{key.position, other.position}, {key.position, mesh.to_model(place(9'000))}}}};
+      Flow{.curves = {{key.position, other.position}, {key.position, mesh.to_model(position(9'000))}}}};
   for (const Command& command : commands) {
     const FieldDelta first = evaluate(command, surface_, fields).delta;
     EXPECT_FALSE(first.empty()) << op_of(command);

@@ -14,7 +14,7 @@ class ResolveTest : public ::testing::Test {
  protected:
   static StrokeSample pixel(double x, double y) {
     StrokeSample sample;
-    sample.place = ScreenSample{{x, y}};
+    sample.position = ScreenSample{{x, y}};
     return sample;
   }
   Status refusal(const Command& command) const {
@@ -34,8 +34,8 @@ TEST_F(ResolveTest, PixelsBecomePlacesAndMissesAreDropped) {
   const Stroke& stroke = *stroke_of(*resolved);
   ASSERT_EQ(stroke.samples.size(), 2u);
   ASSERT_TRUE(stroke.view.has_value());
-  const auto& place = std::get<SurfaceSample>(stroke.samples[0].place);
-  const glm::dvec3 hit = sphere_.position({place.triangle, place.barycentric});
+  const auto& sample = std::get<SurfaceSample>(stroke.samples[0].position);
+  const glm::dvec3 hit = sphere_.position({sample.triangle, sample.barycentric});
   EXPECT_NEAR(hit.x, 0, 1e-3);
   EXPECT_NEAR(hit.y, 0, 1e-3);
   EXPECT_GT(hit.z, 0.2);
@@ -61,8 +61,8 @@ class ResolveToFurTest : public ResolveTest {
   }
   /// Distance of the sample from the ball's middle; 0 if it is not a PositionSample.
   double height(const StrokeSample& sample) const {
-    const auto* place = std::get_if<PositionSample>(&sample.place);
-    return place ? glm::length(sphere_.mesh().to_internal(place->position)) : 0;
+    const auto* in_space = std::get_if<PositionSample>(&sample.position);
+    return in_space ? glm::length(sphere_.mesh().to_internal(in_space->position)) : 0;
   }
 
   FieldSet fields_;
@@ -95,7 +95,7 @@ TEST_F(ResolveToFurTest, BrushesForSkinSeeSkin) {
   comb_.brush.reach = Reach::skin;
   const Comb done = resolved({pixel(200, 200)});
   ASSERT_EQ(done.stroke->samples.size(), 1u);
-  EXPECT_TRUE(std::holds_alternative<SurfaceSample>(done.stroke->samples[0].place));
+  EXPECT_TRUE(std::holds_alternative<SurfaceSample>(done.stroke->samples[0].position));
 }
 
 TEST_F(ResolveToFurTest, PlacesInSpaceAndOtherShapesKeepToTheSkin) {
@@ -138,8 +138,8 @@ TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
   const Result<Command> twice = resolve(*once, sphere_);
   ASSERT_TRUE(twice.ok());
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto& a = std::get<SurfaceSample>(stroke_of(*once)->samples[i].place);
-    const auto& b = std::get<SurfaceSample>(stroke_of(*twice)->samples[i].place);
+    const auto& a = std::get<SurfaceSample>(stroke_of(*once)->samples[i].position);
+    const auto& b = std::get<SurfaceSample>(stroke_of(*twice)->samples[i].position);
     EXPECT_EQ(a.triangle, b.triangle);
     EXPECT_EQ(a.barycentric, b.barycentric);
   }
@@ -148,7 +148,7 @@ TEST_F(ResolveTest, ResolvingAgainChangesNothing) {
 TEST_F(ResolveTest, RefusesWhatTheSurfaceDoesNotHave) {
   Comb comb;
   comb.stroke = stroke_through(sphere_, {{0, 0, 0.3}, {0, 0.1, 0.3}});
-  comb.stroke->samples[1].place = SurfaceSample{1u << 30, {1, 0, 0}};
+  comb.stroke->samples[1].position = SurfaceSample{1u << 30, {1, 0, 0}};
   EXPECT_EQ(refusal(comb).code, Code::invalid);
   EXPECT_EQ(refusal(comb).pointer, "/stroke/samples/1/triangle");
   EXPECT_EQ(refusal(comb).limit, "below " + std::to_string(sphere_.mesh().triangles.size()));

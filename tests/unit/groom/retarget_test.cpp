@@ -127,13 +127,13 @@ struct PlainNearest {
   glm::dvec3 barycentric{0};
 };
 
-void try_place(PlainNearest& best, std::uint32_t t, const std::array<glm::dvec3, 3>& p, glm::dvec3 place,
-               glm::dvec3 barycentric) {
-  const double distance = glm::distance(place, barycentric.x * p[0] + barycentric.y * p[1] + barycentric.z * p[2]);
+void try_position(PlainNearest& best, std::uint32_t t, const std::array<glm::dvec3, 3>& p, glm::dvec3 position,
+                  glm::dvec3 barycentric) {
+  const double distance = glm::distance(position, barycentric.x * p[0] + barycentric.y * p[1] + barycentric.z * p[2]);
   if (distance < best.distance) best = {distance, t, barycentric};
 }
 
-PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 place) {
+PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 position) {
   PlainNearest best;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<glm::dvec3, 3> p;
@@ -143,14 +143,14 @@ PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 place) {
     glm::dvec3 inside;
     for (std::size_t k = 0; k < 3; ++k)
       inside[static_cast<int>(k)] =
-          glm::dot(glm::cross(p[(k + 2) % 3] - p[(k + 1) % 3], place - p[(k + 1) % 3]), n) / glm::dot(n, n);
-    if (inside.x >= 0 && inside.y >= 0 && inside.z >= 0) try_place(best, t, p, place, inside);
+          glm::dot(glm::cross(p[(k + 2) % 3] - p[(k + 1) % 3], position - p[(k + 1) % 3]), n) / glm::dot(n, n);
+    if (inside.x >= 0 && inside.y >= 0 && inside.z >= 0) try_position(best, t, p, position, inside);
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::dvec3 side = p[(k + 1) % 3] - p[k];
-      const double along = std::clamp(glm::dot(place - p[k], side) / glm::dot(side, side), 0.0, 1.0);
+      const double along = std::clamp(glm::dot(position - p[k], side) / glm::dot(side, side), 0.0, 1.0);
       glm::dvec3 on_side(0);
       on_side[static_cast<int>(k)] = 1 - along, on_side[static_cast<int>((k + 1) % 3)] = along;
-      try_place(best, t, p, place, on_side);
+      try_position(best, t, p, position, on_side);
     }
   }
   return best;
@@ -169,9 +169,9 @@ TEST(Retarget, TakesWhatLiesAtTheNearestPlaceInModelCoordinates) {
     const glm::dvec3 ratio =
         (other.report.bounds.max - other.report.bounds.min) / (mesh.report.bounds.max - mesh.report.bounds.min);
     for (std::uint32_t v = 0; v < result.size(); ++v) {
-      glm::dvec3 place = mesh.to_model(glm::dvec3(mesh.positions[v]));
-      if (align == Alignment::box) place = (place - mesh.report.bounds.min) * ratio + other.report.bounds.min;
-      const PlainNearest nearest = plain_nearest(other, place);
+      glm::dvec3 position = mesh.to_model(glm::dvec3(mesh.positions[v]));
+      if (align == Alignment::box) position = (position - mesh.report.bounds.min) * ratio + other.report.bounds.min;
+      const PlainNearest nearest = plain_nearest(other, position);
       double density = 0, length = 0;
       for (int k = 0; k < 3; ++k) {
         const std::uint32_t corner = other.triangles[nearest.triangle][k];
@@ -247,14 +247,14 @@ std::vector<Command> log_on(const Surface& surface) {
   return log;
 }
 
-std::vector<Command> carried_log(const std::vector<Command>& log, const Surface& from, const Surface& to) {
-  std::vector<Command> carried;
+std::vector<Command> transferred_log(const std::vector<Command>& log, const Surface& from, const Surface& to) {
+  std::vector<Command> transferred;
   for (const Command& command : log) {
     Result<Command> one = transferred_command(command, from, to);
     EXPECT_TRUE(one.ok()) << one.status().message;
-    if (one) carried.push_back(std::move(*one));
+    if (one) transferred.push_back(std::move(*one));
   }
-  return carried;
+  return transferred;
 }
 
 TEST(CarriedLog, AScaledCopyGetsTheSameGroomToTheBit) {
@@ -263,7 +263,7 @@ TEST(CarriedLog, AScaledCopyGetsTheSameGroomToTheBit) {
     const std::vector<Command> log = log_on(from);
     const FieldSet expected = groomed(log, from);
     EXPECT_NE(expected.hash(), groomed({}, from).hash());
-    EXPECT_EQ(groomed(carried_log(log, from, to), to).hash(), expected.hash());
+    EXPECT_EQ(groomed(transferred_log(log, from, to), to).hash(), expected.hash());
     EXPECT_NE(groomed(log, to).hash(), expected.hash()) << "without carrying it is another groom";
   }
 }
@@ -273,7 +273,7 @@ TEST(CarriedLog, AMovedCopyOfAnySizeGetsTheSameGroom) {
   const Surface from = make_surface(Builtin::creature, 1500);
   const Surface to = moved(Builtin::creature, 1500, glm::dvec3(3.7), {40, -7, 11});
   const std::vector<Command> log = log_on(from);
-  const FieldSet expected = groomed(log, from), result = groomed(carried_log(log, from, to), to);
+  const FieldSet expected = groomed(log, from), result = groomed(transferred_log(log, from, to), to);
   for (std::uint32_t v = 0; v < expected.size(); ++v) {
     ASSERT_NEAR(glm::distance(lean_of(from, expected.at(v), v), lean_of(to, result.at(v), v)), 0, 1e-5);
     ASSERT_NEAR(expected.at(v).length, result.at(v).length, 1e-5);
@@ -293,16 +293,16 @@ TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
   }
   comb.stroke->view = View{};
   comb.brush.units = RadiusUnits::pixels, comb.brush.radius = 30, comb.brush.falloff_shape = FalloffShape::screen;
-  const auto carried = transferred_command(comb, from, to);
-  ASSERT_TRUE(carried.ok());
-  const Comb& result = std::get<Comb>(*carried);
+  const auto transferred = transferred_command(comb, from, to);
+  ASSERT_TRUE(transferred.ok());
+  const Comb& result = std::get<Comb>(*transferred);
   EXPECT_FALSE(result.stroke->view);
   EXPECT_EQ(result.brush.units, RadiusUnits::relative);
   EXPECT_EQ(result.brush.falloff_shape, FalloffShape::volume);
-  EXPECT_TRUE(resolve(*carried, to).ok());
+  EXPECT_TRUE(resolve(*transferred, to).ok());
   for (const StrokeSample& sample : result.stroke->samples) {
-    if (const auto* place = std::get_if<PositionSample>(&sample.place)) {
-      const glm::dvec3 p = to.mesh().to_internal(place->position);
+    if (const auto* in_space = std::get_if<PositionSample>(&sample.position)) {
+      const glm::dvec3 p = to.mesh().to_internal(in_space->position);
       EXPECT_LT(glm::distance(p, to.position(to.nearest(p))), 0.1) << "as near the skin as it was";
     }
   }

@@ -28,7 +28,7 @@ inline Stroke stroke_through(const Surface& surface, const std::vector<glm::dvec
   Stroke stroke;
   for (const glm::dvec3 point : internal) {
     StrokeSample sample;
-    sample.place = PositionSample{surface.mesh().to_model(point)};
+    sample.position = PositionSample{surface.mesh().to_model(point)};
     stroke.samples.push_back(sample);
   }
   return stroke;

@@ -102,7 +102,7 @@ TEST_F(StandingFurTest, TipsAreReachedFromASideThatTheirRootsDoNotFace) {
   const glm::dvec3 root(sphere_.mesh().positions[behind]);
   Stroke stroke;
   StrokeSample sample;
-  sample.place = PositionSample{sphere_.mesh().to_model(root * (1 + length / radius_))};
+  sample.position = PositionSample{sphere_.mesh().to_model(root * (1 + length / radius_))};
   stroke.samples = {sample};
   stroke.view = View{.camera = {.automatic = AutoView::front}};
   const Brush brush{.radius = 0.05, .reach = Reach::fur, .front_faces_only = true};

@@ -79,10 +79,10 @@ TEST_F(Together, ACombAcrossThePlaneIsMirroredToRounding) {
   comb.brush.radius = 0.12;
   const FieldSet combed = after(comb, mirror_);
   const Mesh& mesh = ball_.mesh();
-  std::map<std::array<float, 3>, std::uint32_t> places;
+  std::map<std::array<float, 3>, std::uint32_t> vertex_at;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::vec3 p = mesh.positions[v] + 0.0f;
-    places[{p.x, p.y, p.z}] = v;
+    vertex_at[{p.x, p.y, p.z}] = v;
   }
   const auto in_space = [&](std::uint32_t v) {
     const glm::vec2 d = combed.direction()[v];
@@ -91,8 +91,8 @@ TEST_F(Together, ACombAcrossThePlaneIsMirroredToRounding) {
   std::size_t changed = 0;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
     const glm::vec3 p = mesh.positions[v];
-    const auto other = places.find({-p.x + 0.0f, p.y + 0.0f, p.z + 0.0f});
-    ASSERT_NE(other, places.end());
+    const auto other = vertex_at.find({-p.x + 0.0f, p.y + 0.0f, p.z + 0.0f});
+    ASSERT_NE(other, vertex_at.end());
     const glm::vec3 change = in_space(v) - glm::vec3(-1, 1, 1) * in_space(other->second);
     changed += combed.direction()[v] != fields_.direction()[v] ? 1 : 0;
     EXPECT_LT(glm::length(change), 1e-5f) << p.x << " " << p.y << " " << p.z;

@@ -19,10 +19,10 @@ TEST(Warnings, EyesThatDoNotTouchTheSkinAreNamed) {
   EXPECT_EQ(warnings[1].substr(0, 5), "eye 3");
 }
 
-Comb comb_at(glm::dvec3 place) {
+Comb comb_at(glm::dvec3 position) {
   Comb comb;
   comb.stroke.emplace();
-  comb.stroke->samples = {{PositionSample{place}}, {PositionSample{place + glm::dvec3(0.1, 0, 0)}}};
+  comb.stroke->samples = {{PositionSample{position}}, {PositionSample{position + glm::dvec3(0.1, 0, 0)}}};
   return comb;
 }
 

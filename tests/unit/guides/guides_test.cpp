@@ -173,12 +173,12 @@ TEST(GuideKeys, HaveTheLeanOfTheStrand) {
     Coat coat;
     coat.lean_curve = form;
     for (const double inclination : {0.0, 0.2, 0.7, 0.98}) {
-      const SurfacePoint place = surface.nearest({0.1, 0.2, 1});
-      const glm::dvec3 normal = surface.normal(place), along = glm::normalize(glm::cross(normal, {0, 1, 0}));
+      const SurfacePoint root = surface.nearest({0.1, 0.2, 1});
+      const glm::dvec3 normal = surface.normal(root), along = glm::normalize(glm::cross(normal, {0, 1, 0}));
       GuideCurve curve;
       for (int i = 0; i <= 200; ++i) {
         const LeanPoint at = lean_point(form, inclination, coat.root_share, i / 200.0);
-        curve.push_back(mesh.to_model(surface.position(place) + 0.04 * (at.across * along + at.up * normal)));
+        curve.push_back(mesh.to_model(surface.position(root) + 0.04 * (at.across * along + at.up * normal)));
       }
       const GuideKeys found = keys_of({curve}, surface, coat);
       ASSERT_EQ(found.keys.size(), 1u);

@@ -16,14 +16,14 @@ Comb comb_at(double x, std::string id = {}, std::uint32_t part = 0, bool last = 
   comb.stroke = Stroke{std::move(id), part, last, {}, std::nullopt};
   for (const double y : {0.0, 0.1}) {
     StrokeSample sample;
-    sample.place = PositionSample{{x, y, 0}};
+    sample.position = PositionSample{{x, y, 0}};
     comb.stroke->samples.push_back(sample);
   }
   return comb;
 }
 
 double first_x(const Command& command) {
-  return std::get<PositionSample>(stroke_of(command)->samples.front().place).position.x;
+  return std::get<PositionSample>(stroke_of(command)->samples.front().position).position.x;
 }
 
 /// A history over one vertex, whose length shows which step is in effect.
@@ -154,7 +154,7 @@ TEST_F(HistoryTest, JoinedPartsAreOneStepAndOneWholeStroke) {
   EXPECT_EQ(merged.part, 0u);
   EXPECT_TRUE(merged.last);
   ASSERT_EQ(merged.samples.size(), 6u);
-  EXPECT_EQ(std::get<PositionSample>(merged.samples[4].place).position.x, 4);
+  EXPECT_EQ(std::get<PositionSample>(merged.samples[4].position).position.x, 4);
   EXPECT_EQ(*history_.last_step(), to(1)) << "from the length before the stroke to the one after it, and back";
   undo(1);
   EXPECT_EQ(length_, 1);

@@ -13,10 +13,10 @@ namespace {
 
 constexpr int width = 50, height = 37;
 
-struct Place {
+struct Region {
   int left, top, width, height;
 };
-const std::vector<Place> places = {{0, 0, 20, 16}, {20, 0, 30, 16}, {0, 16, 20, 21}, {20, 16, 30, 21}};
+const std::vector<Region> regions = {{0, 0, 20, 16}, {20, 0, 30, 16}, {0, 16, 20, 21}, {20, 16, 30, 21}};
 const std::vector<ImageText> texts = {{"Software", "a test"}, {"pelage/frame", "7"}};
 
 /// Random pixels: opaque in the left 20 columns, with random alpha elsewhere.
@@ -36,7 +36,7 @@ Picture noise() {
 template <class Picture>
 std::vector<PicturePart> parts_of(const Picture& picture, bool keep_alpha) {
   std::vector<PicturePart> parts;
-  for (const Place& at : places) {
+  for (const Region& at : regions) {
     const Picture part = cropped(picture, at.left, at.top, at.width, at.height);
     parts.push_back({encode_png(part, keep_alpha), at.left, at.top});
   }
@@ -87,7 +87,7 @@ const std::vector<ImageText> of_channels = {{"cryptomatte/1a2b3c4/name", "Crypto
 TEST(Merge, MergesExrAndKeepsTheTypesOfItsChannelsAndHowTheyAreRead) {
   const ExrNoise noise = exr_noise();
   std::vector<PicturePart> parts;
-  for (const Place& at : places) {
+  for (const Region& at : regions) {
     const ExrNoise part{cropped(noise.colour, at.left, at.top, at.width, at.height),
                         cropped(noise.depth, at.left, at.top, at.width, at.height)};
     const std::vector<ImageText> says = {of_channels[0], of_channels[1], {"pelage/seconds", "1"}};

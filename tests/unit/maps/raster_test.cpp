@@ -169,16 +169,16 @@ TEST(MapFit, BilinearReadersFindTheCorners) {
   std::vector<std::array<glm::vec2, 3>> grid;
   const int cells = 9;
   Random random(3);
-  std::vector<glm::vec2> places;
+  std::vector<glm::vec2> coordinates;
   for (int j = 0; j <= cells; ++j) {
     for (int i = 0; i <= cells; ++i) {
       const glm::dvec2 inside(i > 0 && i < cells ? random.uniform(-0.2, 0.2) : 0,
                               j > 0 && j < cells ? random.uniform(-0.2, 0.2) : 0);
-      places.emplace_back((glm::dvec2(i, j) + inside) / double(cells));
+      coordinates.emplace_back((glm::dvec2(i, j) + inside) / double(cells));
     }
   }
   UvCorners uvs;
-  for (const glm::vec2 uv : places) uvs.corners.push_back({0, uv, {1, 0}, 1, true});
+  for (const glm::vec2 uv : coordinates) uvs.corners.push_back({0, uv, {1, 0}, 1, true});
   for (std::uint32_t j = 0; j < cells; ++j) {
     for (std::uint32_t i = 0; i < cells; ++i) {
       const std::uint32_t a = j * (cells + 1) + i;
@@ -186,15 +186,15 @@ TEST(MapFit, BilinearReadersFindTheCorners) {
           uvs.of_triangle.emplace_back(a, a + cells + 2, a + cells + 1);
     }
   }
-  const std::vector<glm::vec4> values = random_values(4, places.size());
+  const std::vector<glm::vec4> values = random_values(4, coordinates.size());
   const auto worst = [&](bool fitted) {
     MapImage image = make_map_image(100, 4, glm::dvec4(0));
     draw_triangles(uvs, values, image);
     dilate(image, 2);
     if (fitted) fit_corners(uvs, values, glm::dvec4(0), glm::dvec4(1), image);
     double miss = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      for (int k = 0; k < 4; ++k) miss = std::max(miss, std::abs(bilinear(image, places[i], k) - values[i][k]));
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      for (int k = 0; k < 4; ++k) miss = std::max(miss, std::abs(bilinear(image, coordinates[i], k) - values[i][k]));
     }
     for (const float value : image.values) EXPECT_TRUE(value >= 0 && value <= 1) << value;
     return miss;

@@ -220,12 +220,12 @@ TEST_F(MapRoundTrip, AMaskIsReadFromTheChannelThatIsNamed) {
   EXPECT_EQ(after.number(Field::mask, 9), 0.5f);
 }
 
-/// A horizontal square that faces up; `place` maps its (x, -z) to texture coordinates.
-Surface square(const std::function<glm::dvec2(glm::dvec2)>& place) {
+/// A horizontal square that faces up; `uv_of` maps its (x, -z) to texture coordinates.
+Surface square(const std::function<glm::dvec2(glm::dvec2)>& uv_of) {
   RawModel raw = make_builtin({Builtin::plane, 200});
   for (std::size_t i = 0; i < raw.corners.size(); ++i) {
     const glm::dvec3 p = raw.positions[raw.corners[i]];
-    raw.corner_uv[i] = place({p.x, -p.z});
+    raw.corner_uv[i] = uv_of({p.x, -p.z});
   }
   return surface_of(raw);
 }

@@ -105,10 +105,10 @@ TEST(Wind, GustsTravelWithTheWind) {
   const WindField field = make_wind({.speed = 2, .direction = {1, 0, 0}, .gusts = 1, .turbulence = 0});
   double with = 0, still = 0;
   for (int i = 0; i < 200; ++i) {
-    const glm::dvec3 place(0.01 * i, 0, 0.003 * i);
-    const double time = 0.1 * i, speed = field.velocity(place, time).x;
-    with += std::abs(field.velocity(place + glm::dvec3(0.6, 0, 0), time + 0.3).x - speed);
-    still += std::abs(field.velocity(place, time + 0.3).x - speed);
+    const glm::dvec3 position(0.01 * i, 0, 0.003 * i);
+    const double time = 0.1 * i, speed = field.velocity(position, time).x;
+    with += std::abs(field.velocity(position + glm::dvec3(0.6, 0, 0), time + 0.3).x - speed);
+    still += std::abs(field.velocity(position, time + 0.3).x - speed);
   }
   EXPECT_LT(with, 0.5 * still);
 }

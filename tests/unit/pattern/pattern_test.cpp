@@ -25,7 +25,7 @@ Coat with(const Pattern& pattern) {
 }
 
 /// Visits evenly distributed points on a sphere of radius .4, with their normals.
-void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& visit) {
+void for_each_position(int count, const std::function<void(glm::vec3, glm::vec3)>& visit) {
   Random random(5);
   for (int i = 0; i < count; ++i) {
     const double up = random.uniform(-1, 1), turn = random.uniform(0, 6.283185307179586), out = std::sqrt(1 - up * up);
@@ -35,16 +35,16 @@ void for_each_place(int count, const std::function<void(glm::vec3, glm::vec3)>& 
 }
 
 /// Coverage at a point by the marking, and by the inner colour.
-glm::vec2 pattern_marks(PatternBlock block, glm::vec3 place, glm::vec3 normal) {
+glm::vec2 pattern_marks(PatternBlock block, glm::vec3 position, glm::vec3 normal) {
   block.amounts.x = block.amounts.y = 1, block.amounts.w = 0;
-  const glm::vec3 weights = pattern_weights(block, place, normal);
+  const glm::vec3 weights = pattern_weights(block, position, normal);
   return {weights.z, weights.y};
 }
 
 /// Colour of a strand with its root at a point, which would be `base` without a pattern.
-glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
-  const glm::vec4 varied = pattern_variation(block, place);
-  return with_weights(block, pattern_weights(block, place, normal), base) *
+glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 position, glm::vec3 normal, glm::vec3 base) {
+  const glm::vec4 varied = pattern_variation(block, position);
+  return with_weights(block, pattern_weights(block, position, normal), base) *
          (varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w));
 }
 
@@ -52,8 +52,8 @@ glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 n
 glm::dvec2 mean_marks(const Pattern& pattern) {
   const PatternBlock block = make_pattern_block(with(pattern));
   glm::dvec2 sum(0);
-  for_each_place(20000,
-                 [&](glm::vec3 place, glm::vec3 normal) { sum += glm::dvec2(pattern_marks(block, place, normal)); });
+  for_each_position(
+      20000, [&](glm::vec3 position, glm::vec3 normal) { sum += glm::dvec2(pattern_marks(block, position, normal)); });
   return sum / 20000.0;
 }
 
@@ -62,8 +62,8 @@ TEST(Noise, HasTheMomentsThatItSays) {
   Random random(1);
   constexpr int count = 100000;
   for (int i = 0; i < count; ++i) {
-    const glm::vec3 place(random.uniform(-90, 90), random.uniform(-90, 90), random.uniform(-90, 90));
-    const double value = gradient_noise(place, 3, 7);
+    const glm::vec3 position(random.uniform(-90, 90), random.uniform(-90, 90), random.uniform(-90, 90));
+    const double value = gradient_noise(position, 3, 7);
     sum += value, square += value * value, largest = std::max(largest, std::abs(value));
   }
   EXPECT_NEAR(sum / count, 0, 0.005);
@@ -147,9 +147,9 @@ TEST(Pattern, RosettesHaveALightMiddle) {
   EXPECT_GT(rosettes.x, 0.08);
   EXPECT_GT(rosettes.y, 1.5 * rosettes.x) << "the ring covers less than the disc";
   const PatternBlock block = make_pattern_block(with({.kind = PatternKind::rosettes, .legs = 1}));
-  for_each_place(5000, [&](glm::vec3 place, glm::vec3 normal) {
-    if (place.y > -0.2f) return;
-    const glm::vec2 marks = pattern_marks(block, place, normal);
+  for_each_position(5000, [&](glm::vec3 position, glm::vec3 normal) {
+    if (position.y > -0.2f) return;
+    const glm::vec2 marks = pattern_marks(block, position, normal);
     EXPECT_NEAR(marks.x, marks.y, 1e-6f) << "filled on legs";
   });
 }
@@ -198,12 +198,12 @@ TEST(Variation, StaysInItsRangeAndChangesSlowly) {
   EXPECT_TRUE(has_pattern(coat));
   const PatternBlock block = make_pattern_block(coat);
   float min = 2, max = 0, steepest = 0;
-  for_each_place(20000, [&](glm::vec3 place, glm::vec3) {
-    const float length = pattern_length(block, place), lean = pattern_lean(block, place);
+  for_each_position(20000, [&](glm::vec3 position, glm::vec3) {
+    const float length = pattern_length(block, position), lean = pattern_lean(block, position);
     min = std::min(min, length), max = std::max(max, length);
     EXPECT_TRUE(lean >= -1 && lean <= 1);
-    steepest = std::max(steepest, std::abs(pattern_length(block, place + glm::vec3(0.002f, 0, 0)) - length));
-    const glm::vec3 colour = pattern_colour(block, place, {0, 1, 0}, glm::vec3(0.5f));
+    steepest = std::max(steepest, std::abs(pattern_length(block, position + glm::vec3(0.002f, 0, 0)) - length));
+    const glm::vec3 colour = pattern_colour(block, position, {0, 1, 0}, glm::vec3(0.5f));
     EXPECT_TRUE(colour.g >= 0.25f && colour.g <= 1.0f);
     EXPECT_TRUE(colour.r / colour.g > 0.66f && colour.r / colour.g < 1.34f);
   });
@@ -220,8 +220,8 @@ TEST(Pattern, ExtremesAreFinite) {
             with({.kind = kind, .scale = scale, .coverage = edge, .softness = edge, .warp = 2 * edge, .belly = edge});
         coat.ramp = {{0, glm::vec3(0)}};
         const PatternBlock block = make_pattern_block(coat);
-        for_each_place(500, [&](glm::vec3 place, glm::vec3 normal) {
-          const glm::vec3 colour = pattern_colour(block, place, normal, glm::vec3(0));
+        for_each_position(500, [&](glm::vec3 position, glm::vec3 normal) {
+          const glm::vec3 colour = pattern_colour(block, position, normal, glm::vec3(0));
           EXPECT_TRUE(glm::all(glm::greaterThanEqual(colour, glm::vec3(0))));
           EXPECT_TRUE(glm::all(glm::lessThan(colour, glm::vec3(4)))) << int(kind);
         });

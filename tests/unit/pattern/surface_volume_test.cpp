@@ -22,8 +22,8 @@ TEST(TurnOfTriangle, IsTheRotationThatMovedIt) {
 }
 
 /// The value of the volume's cell that contains a point.
-glm::vec4 value_at(const SurfaceVolume& volume, glm::vec3 place) {
-  const glm::ivec3 at((place - volume.origin) / volume.cell);
+glm::vec4 value_at(const SurfaceVolume& volume, glm::vec3 position) {
+  const glm::ivec3 at((position - volume.origin) / volume.cell);
   const auto cell = static_cast<std::size_t>((at.z * volume.size.y + at.y) * volume.size.x + at.x);
   return glm::vec4(volume.rgba[4 * cell], volume.rgba[4 * cell + 1], volume.rgba[4 * cell + 2],
                    volume.rgba[4 * cell + 3]) /
@@ -39,13 +39,13 @@ TEST(SurfaceVolumes, OfAMovedSurfaceUseItsRestPose) {
   const auto value = [&](const RestPosePoint& middle) {
     EXPECT_LT(glm::distance(middle.normal, normal), 1e-5f);
     EXPECT_LT(glm::distance(middle.rotation * glm::vec3(1, 0, 0), quarter[0]), 1e-5f);
-    return glm::vec4(middle.place, 1);
+    return glm::vec4(middle.position, 1);
   };
   const SurfaceVolume volume = make_surface_volume({now, normals, triangles, rest, rest_normals}, value);
   for (const glm::vec3 share : {glm::vec3(0.2f, 0.5f, 0.3f), {0.6f, 0.2f, 0.2f}, {1.0f / 3, 1.0f / 3, 1.0f / 3}}) {
-    const glm::vec3 place = share.x * now[0] + share.y * now[1] + share.z * now[2];
+    const glm::vec3 position = share.x * now[0] + share.y * now[1] + share.z * now[2];
     const glm::vec3 expected = share.x * rest[0] + share.y * rest[1] + share.z * rest[2];
-    const glm::vec4 found = value_at(volume, place);
+    const glm::vec4 found = value_at(volume, position);
     EXPECT_LT(glm::distance(glm::vec3(found), glm::clamp(expected, 0.0f, 1.0f)), 1.8f * volume.cell + 0.004f);
     EXPECT_EQ(found.a, 1);
   }

@@ -21,7 +21,7 @@ TEST(Decode, ACombHasDefaults) {
   EXPECT_DOUBLE_EQ(comb.brush.radius, 0.05);
   EXPECT_DOUBLE_EQ(comb.lean, 0.7);
   ASSERT_EQ(comb.stroke->samples.size(), 1u);
-  EXPECT_EQ(std::get<PositionSample>(comb.stroke->samples[0].place).position, glm::dvec3(0, 0.2, 0.5));
+  EXPECT_EQ(std::get<PositionSample>(comb.stroke->samples[0].position).position, glm::dvec3(0, 0.2, 0.5));
   EXPECT_DOUBLE_EQ(comb.stroke->samples[0].pressure, 1);
 }
 
@@ -47,8 +47,8 @@ TEST(Decode, ReadsEveryKindOfSample) {
   EXPECT_EQ(stroke.part, 3u);
   EXPECT_FALSE(stroke.last);
   EXPECT_EQ(stroke.view->width, 640);
-  EXPECT_EQ(std::get<ScreenSample>(stroke.samples[0].place).screen, glm::dvec2(10.5, 20.5));
-  EXPECT_EQ(std::get<SurfaceSample>(stroke.samples[1].place).triangle, 7u);
+  EXPECT_EQ(std::get<ScreenSample>(stroke.samples[0].position).screen, glm::dvec2(10.5, 20.5));
+  EXPECT_EQ(std::get<SurfaceSample>(stroke.samples[1].position).triangle, 7u);
 }
 
 TEST(Decode, RefusesWhatIsNotJson) {

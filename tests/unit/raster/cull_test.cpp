@@ -111,7 +111,7 @@ TEST(Cull, NoPartThatShowsIsLeftOut) {
     for (const GrownPart& part : field.fur.parts()) {
       bool inside = false;
       for (const StrandPoint& point : part.strands->points) {
-        const glm::vec3 apart = point.place - camera.position;
+        const glm::vec3 apart = point.position - camera.position;
         const float distance = glm::dot(apart, camera.forward), scale = camera.scale / distance;
         const float x = camera.middle.x + glm::dot(apart, camera.right) * scale;
         const float y = camera.middle.y - glm::dot(apart, camera.up) * scale;

@@ -33,9 +33,9 @@ struct CrossedNumbers {
   float strands, body;
 };
 
-CrossedNumbers at(const DensityGrid& grid, glm::vec3 place, std::size_t light = 0) {
-  const glm::ivec3 cell((place - grid.place().low) / grid.place().cell);
-  const Crossed& crossed = grid.crossed(light)[grid.place().index(cell)];
+CrossedNumbers at(const DensityGrid& grid, glm::vec3 position, std::size_t light = 0) {
+  const glm::ivec3 cell((position - grid.layout().low) / grid.layout().cell);
+  const Crossed& crossed = grid.crossed(light)[grid.layout().index(cell)];
   return {static_cast<float>(crossed.strands) / Crossed::one, static_cast<float>(crossed.body) / Crossed::one};
 }
 
@@ -105,10 +105,10 @@ TEST(DensityGrid, HasTheSameBitsForAnyThreads) {
   DensityGrid one, many;
   one.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
   many.update(lawn.patch.model(), lawn.fur.parts(), lights, 5);
-  ASSERT_EQ(one.place(), many.place());
+  ASSERT_EQ(one.layout(), many.layout());
   for (std::size_t light = 0; light < lights.size(); ++light) {
     EXPECT_EQ(others(one.crossed(light), many.crossed(light)), 0u);
-    EXPECT_GT(others(one.crossed(light), std::vector<Crossed>(one.place().count())), 0u) << "something is crossed";
+    EXPECT_GT(others(one.crossed(light), std::vector<Crossed>(one.layout().count())), 0u) << "something is crossed";
   }
 }
 
@@ -121,7 +121,7 @@ TEST(DensityGrid, FollowsFurThatChanges) {
   lawn.fur.update(lawn.patch.model(), lawn.patch.fields(), GrowRecipe{lawn.coat}, 1);
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
   fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 1);
-  ASSERT_EQ(grid.place(), fresh.place());
+  ASSERT_EQ(grid.layout(), fresh.layout());
   EXPECT_EQ(at(grid, {0.25, 0.25, 0.02f}).strands, at(fresh, {0.25, 0.25, 0.02f}).strands);
 }
 
@@ -140,7 +140,7 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
                                      within};
   DensityGrid grid;
   grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
-  const GridLayout before = grid.place();
+  const GridLayout before = grid.layout();
   struct Change {
     std::size_t first, count;
     float length;
@@ -151,9 +151,9 @@ TEST(DensityGrid, ChangeByChangeHasTheBitsOfANewOne) {
     grid.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
     DensityGrid fresh;
     fresh.update(lawn.patch.model(), lawn.fur.parts(), lights, 2);
-    ASSERT_EQ(grid.place(), before) << "it stays where it is";
-    ASSERT_EQ(grid.place(), fresh.place());
-    for (std::size_t i = 0; i < grid.place().count(); ++i) ASSERT_EQ(grid.density()[i].sum, fresh.density()[i].sum);
+    ASSERT_EQ(grid.layout(), before) << "it stays where it is";
+    ASSERT_EQ(grid.layout(), fresh.layout());
+    for (std::size_t i = 0; i < grid.layout().count(); ++i) ASSERT_EQ(grid.density()[i].sum, fresh.density()[i].sum);
     for (std::size_t light = 0; light < lights.size(); ++light)
       EXPECT_EQ(others(grid.crossed(light), fresh.crossed(light)), 0u) << "light " << light;
   }
@@ -178,9 +178,9 @@ TEST(DensityGrid, KnowsWhereSomethingHasChanged) {
   EXPECT_FALSE(grid.changed_in(other, other + little, since));
   EXPECT_FALSE(grid.changed_in(corner, corner + little, grid.version()));
   const std::vector<GridBlock> blocks = grid.changed_blocks(since);
-  const auto has = [&](glm::vec3 place) {
+  const auto has = [&](glm::vec3 position) {
     return std::any_of(blocks.begin(), blocks.end(), [&](const GridBlock& block) {
-      return glm::all(glm::lessThanEqual(block.low, place)) && glm::all(glm::lessThan(place, block.high));
+      return glm::all(glm::lessThanEqual(block.low, position)) && glm::all(glm::lessThan(position, block.high));
     });
   };
   EXPECT_TRUE(has({0.48f, 0.48f, 0.05f}));
@@ -200,7 +200,7 @@ TEST(DensityGrid, StrandsWhoseMeanHasAnotherColourHaveChanged) {
   parts[0].strands = std::make_shared<const StrandSet>(set), ++parts[0].state;
   grid.update(lawn.patch.model(), parts, {}, 1);
   EXPECT_FALSE(grid.all_changed(since));
-  const glm::vec3 root = set.points[5 * (static_cast<std::size_t>(set.segments) + 1)].place;
+  const glm::vec3 root = set.points[5 * (static_cast<std::size_t>(set.segments) + 1)].position;
   EXPECT_TRUE(grid.changed_in(root, root + 1e-4f, since));
 }
 

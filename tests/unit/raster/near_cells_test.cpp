@@ -48,7 +48,7 @@ TEST(NearCells, HoldWhatIsNearAndNothingElse) {
     for (std::size_t i = 0; i + 1 < part.strands->points.size(); ++i) {
       const StrandPoint &a = part.strands->points[i], &b = part.strands->points[i + 1];
       const bool one_strand = (i + 1) % static_cast<std::size_t>(part.strands->segments + 1) != 0;
-      if (one_strand) all += double{(a.radius + b.radius) * glm::distance(a.place, b.place)};
+      if (one_strand) all += double{(a.radius + b.radius) * glm::distance(a.position, b.position)};
     }
   all /= double{near.cell()} * double{near.cell()};
   EXPECT_GT(sum_of(near), 0.01 * all) << "the middle of the lawn";

@@ -360,9 +360,9 @@ struct Wall : Stage {
     frame.ground = FurGround{.height = 0, .shadow = 1, .contact = 1};
     frame.lights.resize(1), frame.lights[0].direction = glm::normalize(glm::vec3(0, -1, -1));
   }
-  float dark(const FloatImage& image, glm::vec3 place) const {
+  float dark(const FloatImage& image, glm::vec3 position) const {
     const FurCamera& camera = frame.camera;
-    const glm::vec3 apart = place - camera.position;
+    const glm::vec3 apart = position - camera.position;
     const float scale = 0.5f * static_cast<float>(frame.height) / camera.tan_half_fov / glm::dot(apart, camera.forward);
     return pixel(image, frame.width / 2 + static_cast<int>(glm::dot(apart, camera.right) * scale),
                  frame.height / 2 - static_cast<int>(glm::dot(apart, camera.up) * scale))

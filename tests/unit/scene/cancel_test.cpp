@@ -22,7 +22,7 @@ class CancelTest : public StoreTest {
   static std::vector<Command> commands(const Scene& scene) {
     Smooth smooth{.flood = true, .passes = 6};
     Interpolate keys;
-    keys.keys = {{.position = place(scene, 3), .length = 0.1}};
+    keys.keys = {{.position = vertex_position(scene, 3), .length = 0.1}};
     return {comb_at(scene, 0), smooth, keys, ChangeMask{.action = MaskAction::smooth, .passes = 5}};
   }
 };

@@ -29,7 +29,7 @@ class CheckCostTest : public StoreTest {
     comb.stroke->samples.clear();
     for (std::size_t i = 0; i < 5000; ++i) {
       StrokeSample sample;
-      sample.place = PositionSample{place(scene, 7 * i)};
+      sample.position = PositionSample{vertex_position(scene, 7 * i)};
       comb.stroke->samples.push_back(sample);
     }
     return comb;

@@ -122,9 +122,9 @@ TEST_F(ForeignScene, CommandsBeyondTheirLimitsAreRefused) {
   refused("none", "entry 5");
   refused(R"([{"op":"no_such_op"}])", "entry 5");
   Comb comb = comb_at(*scene_, 5);
-  comb.stroke->samples[0].place = SurfaceSample{2'000'000, {1, 0, 0}};
+  comb.stroke->samples[0].position = SurfaceSample{2'000'000, {1, 0, 0}};
   refused(encode(std::vector<Command>{comb}), "no such triangle");
-  comb.stroke->samples[0].place = PositionSample{{1e12, 0, 0}};
+  comb.stroke->samples[0].position = PositionSample{{1e12, 0, 0}};
   refused(encode(std::vector<Command>{comb}), "too far");
   ApplyMap map;
   map.picture = std::string(32, 'a');

@@ -52,7 +52,7 @@ TEST_F(MovingModels, AtRestAreWhatTheyWere) {
 }
 
 TEST_F(MovingModels, TakeEyesCurvesAndSkinAlong) {
-  const glm::dvec3 at = place(*scene_, 100);
+  const glm::dvec3 at = vertex_position(*scene_, 100);
   execute(*scene_,
           {SetEyes{{{.position = at, .gaze = {0, 0, 1}}}}, SetCurves{{{.curves = {{at, at + glm::dvec3(0, 1, 0)}}}}},
            SetSkin{{{.centre = at, .radii = {0.1, 0.2, 0.3}, .axis = {0, 0, 1}, .turn_degrees = 30}}}});

@@ -22,12 +22,12 @@ TEST_F(NewVersion, TheSameMeshHasTheSameBits) {
   execute(*scene, {Comb{.flood = true, .direction = glm::dvec3(1, 0, 0)}});
   execute(*scene, {ChangeMask{.shape = MaskSphere{.centre = {0, 0.5, 0}, .radius = 0.3}}});
   const SnapshotPtr now = scene->snapshot();
-  const TransferredGroom carried = transferred_groom(*now, *same->model());
-  EXPECT_EQ(carried.fields.hash(), now->fields->hash());
-  EXPECT_EQ(carried.settings.eyes, now->settings->eyes);
-  EXPECT_EQ(carried.settings.coats[0].coat, now->settings->coats[0].coat);
-  EXPECT_EQ(carried.report.align, Alignment::none);
-  EXPECT_EQ(carried.report.far, 0u);
+  const TransferredGroom transferred = transferred_groom(*now, *same->model());
+  EXPECT_EQ(transferred.fields.hash(), now->fields->hash());
+  EXPECT_EQ(transferred.settings.eyes, now->settings->eyes);
+  EXPECT_EQ(transferred.settings.coats[0].coat, now->settings->coats[0].coat);
+  EXPECT_EQ(transferred.report.align, Alignment::none);
+  EXPECT_EQ(transferred.report.far, 0u);
 }
 
 TEST_F(NewVersion, AFinerMeshHasTheFurOfTheOneBefore) {
@@ -37,19 +37,19 @@ TEST_F(NewVersion, AFinerMeshHasTheFurOfTheOneBefore) {
   execute(*scene, {Comb{.flood = true, .edit_layer = "swept", .direction = glm::dvec3(1, 0, 0)}});
   const SnapshotPtr now = scene->snapshot();
   const Surface &before = now->model->surface, &after = finer->model()->surface;
-  const TransferredGroom carried = transferred_groom(*now, *finer->model());
-  ASSERT_EQ(carried.report.vertices, after.mesh().positions.size());
-  EXPECT_EQ(carried.settings.layers, now->settings->layers);
-  const double longer = length_factor(before.mesh(), after.mesh(), carried.report.align);
-  EXPECT_NEAR(carried.fields.number(Field::length, 0), 0.09 * longer, 1e-6);
-  EXPECT_FALSE(carried.fields.untouched(base_sheet, Field::direction)) << "the layer goes along";
-  const NearestCorners nearest = nearest_corners(after.mesh(), before, carried.report.align);
+  const TransferredGroom transferred = transferred_groom(*now, *finer->model());
+  ASSERT_EQ(transferred.report.vertices, after.mesh().positions.size());
+  EXPECT_EQ(transferred.settings.layers, now->settings->layers);
+  const double longer = length_factor(before.mesh(), after.mesh(), transferred.report.align);
+  EXPECT_NEAR(transferred.fields.number(Field::length, 0), 0.09 * longer, 1e-6);
+  EXPECT_FALSE(transferred.fields.untouched(base_sheet, Field::direction)) << "the layer goes along";
+  const NearestCorners nearest = nearest_corners(after.mesh(), before, transferred.report.align);
   double mean = 0;
   for (std::uint32_t v = 0; v < nearest.corners.size(); ++v) {
     glm::dvec3 there(0);
     for (const MixShare& share : nearest.corners[v])
       there += share.weight * lean(before.mesh(), *now->fields, share.vertex);
-    mean += glm::distance(lean(after.mesh(), carried.fields, v), there);
+    mean += glm::distance(lean(after.mesh(), transferred.fields, v), there);
   }
   EXPECT_LT(mean / static_cast<double>(nearest.corners.size()), 0.05) << "over turns of the skin alone";
 }

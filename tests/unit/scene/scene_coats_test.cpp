@@ -148,7 +148,7 @@ TEST_F(SceneCoatsTest, AStrandOfTheOutermostCoatIsWhatAPixelMeets) {
   execute(*scene, {longer});
   Comb comb;
   comb.brush.radius = 0.01;
-  comb.stroke.emplace().samples = {{.place = ScreenSample{{200, 11}}}, {.place = ScreenSample{{210, 11}}}};
+  comb.stroke.emplace().samples = {{.position = ScreenSample{{200, 11}}}, {.position = ScreenSample{{210, 11}}}};
   comb.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 400, .height = 400};
   const auto touched = [&] { return scene->execute({comb}, {.dry_run = true})->results[0].touched; };
   const std::size_t with_long = touched();

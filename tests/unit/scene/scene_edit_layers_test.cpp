@@ -104,7 +104,7 @@ TEST_F(SceneEditLayersTest, EraseTakesAwayWhatALayerAdds) {
 TEST_F(SceneEditLayersTest, AWindThatStaysBlowsIntoTheLayerThatIsNamed) {
   const auto scene = make();
   Blow wind;
-  wind.source = place(*scene, 3) + glm::dvec3(0, 1, 0);
+  wind.source = vertex_position(*scene, 3) + glm::dvec3(0, 1, 0);
   wind.cone_degrees = 60;
   execute(*scene, {add("a"), SetBlowers{{{"fan", wind}}}});
   Blow blow;

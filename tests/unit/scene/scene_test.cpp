@@ -73,7 +73,7 @@ TEST_F(SceneTest, ABatchIsAllOrNothingAndOneStep) {
   const auto scene = make();
   const FieldsHash first = hash(*scene);
   Comb bad = comb_at(*scene, 9);
-  bad.stroke->samples[1].place = SurfaceSample{1u << 30, {}};
+  bad.stroke->samples[1].position = SurfaceSample{1u << 30, {}};
   const auto refused = scene->execute({comb_at(*scene, 5), bad});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.status().pointer, "/commands/1/stroke/samples/1/triangle");

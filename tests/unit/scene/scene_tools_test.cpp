@@ -53,7 +53,7 @@ TEST_F(SceneToolsTest, WhatErasesAndNamesNameHasToBeThere) {
 TEST_F(SceneToolsTest, AWindThatStaysBlowsAsOneThatIsWrittenOut) {
   const auto named = make(), written = make();
   Blow wind;
-  wind.source = place(*named, 3) + glm::dvec3(0, 1, 0);
+  wind.source = vertex_position(*named, 3) + glm::dvec3(0, 1, 0);
   wind.cone_degrees = 60, wind.fall = 0.4, wind.lean = 0.9;
   execute(*named, {SetBlowers{{{"fan", wind}}}});
   EXPECT_EQ(execute(*named, {Blow{.blower = "fan"}}).fields_hash, execute(*written, {wind}).fields_hash);
@@ -64,7 +64,7 @@ TEST_F(SceneToolsTest, AWindThatStaysBlowsAsOneThatIsWrittenOut) {
 TEST_F(SceneToolsTest, AnAttractorThatStaysPullsAsOneThatIsWrittenOut) {
   const auto named = make(), written = make();
   Attract stick;
-  stick.point = place(*named, 3) * 1.2;
+  stick.point = vertex_position(*named, 3) * 1.2;
   execute(*named, {SetAttractors{{{"stick", stick}}}});
   EXPECT_EQ(execute(*named, {Attract{.attractor = "stick"}}).fields_hash, execute(*written, {stick}).fields_hash);
 }
@@ -78,12 +78,12 @@ TEST_F(SceneToolsTest, AMirroredStrokeIsOneStepAndWhatBothStrokesGive) {
   comb.stroke.emplace();
   for (const double y : {0.2, 0.5}) {
     StrokeSample sample;
-    sample.place = PositionSample{{0.7, y, 0.5}};
+    sample.position = PositionSample{{0.7, y, 0.5}};
     comb.stroke->samples.push_back(sample);
   }
   comb.brush.radius = 0.1;
   Comb twin = comb;
-  for (StrokeSample& sample : twin.stroke->samples) std::get<PositionSample>(sample.place).position.x = -0.7;
+  for (StrokeSample& sample : twin.stroke->samples) std::get<PositionSample>(sample.position).position.x = -0.7;
   const CommandAnswer once = execute(*symmetric, {comb});
   EXPECT_EQ(once.fields_hash, execute(*both, {comb, twin}).fields_hash);
   EXPECT_EQ(once.results.size(), 1u);

@@ -43,7 +43,7 @@ class StoreTest : public ::testing::Test {
   static FieldsHash hash(const Scene& scene) { return scene.summary().fields_hash; }
 
   /// A vertex's position in model coordinates.
-  static glm::dvec3 place(const Scene& scene, std::size_t vertex) {
+  static glm::dvec3 vertex_position(const Scene& scene, std::size_t vertex) {
     glm::dvec3 found{};
     const SnapshotPtr now = scene.snapshot();
     const SceneView view = now->view();
@@ -59,7 +59,7 @@ class StoreTest : public ::testing::Test {
     for (std::size_t i = 0; i < samples; ++i) {
       StrokeSample sample;
       const double along = 0.1 * size * static_cast<double>(i) / static_cast<double>(samples);
-      sample.place = PositionSample{place(scene, vertex) + glm::dvec3(along, 0.5 * along, -0.3 * along)};
+      sample.position = PositionSample{vertex_position(scene, vertex) + glm::dvec3(along, 0.5 * along, -0.3 * along)};
       stroke.samples.push_back(sample);
     }
     return stroke;
@@ -72,7 +72,7 @@ class StoreTest : public ::testing::Test {
   }
   static Comb comb_nothing(const Scene& scene) {
     Comb comb = comb_at(scene, 0);
-    for (StrokeSample& sample : comb.stroke->samples) std::get<PositionSample>(sample.place).position += 1000.0;
+    for (StrokeSample& sample : comb.stroke->samples) std::get<PositionSample>(sample.position).position += 1000.0;
     return comb;
   }
 

@@ -168,15 +168,15 @@ TEST_F(SubdivideSceneTest, SourcesHaveToBeThere) {
 TEST_F(SubdivideSceneTest, ALogIsCarriedToAnotherModel) {
   const auto source = make(Builtin::torus, 1000), same = make(Builtin::torus, 1000), other = make(Builtin::knot, 1000);
   run(*source, {comb_at(*source, 5)});
-  run(*source, {comb_at(*source, 50), ChangeMask{.shape = MaskSphere{place(*source, 3), 0.3, 0.2}}});
+  run(*source, {comb_at(*source, 50), ChangeMask{.shape = MaskSphere{vertex_position(*source, 3), 0.3, 0.2}}});
   const auto identical = source->effective_log_for(*same->model());
   ASSERT_TRUE(identical.ok());
   for (const std::vector<Command>& step : *identical) run(*same, step);
   EXPECT_EQ(hash(*same), hash(*source));
-  const auto carried = source->effective_log_for(*other->model());
-  ASSERT_TRUE(carried.ok());
+  const auto transferred = source->effective_log_for(*other->model());
+  ASSERT_TRUE(transferred.ok());
   std::size_t touched = 0;
-  for (const std::vector<Command>& step : *carried) touched += run(*other, step).results[0].touched;
+  for (const std::vector<Command>& step : *transferred) touched += run(*other, step).results[0].touched;
   EXPECT_GT(touched, 10u);
   run(*source, {ChangeMask{.shape = MaskVertices{{1, 2}}}});
   const auto refused = source->effective_log_for(*other->model());

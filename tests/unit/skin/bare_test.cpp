@@ -79,12 +79,12 @@ TEST(BareSkin, FacesADirection) {
 
 TEST(BareSkin, RegionsTakeFurFromEachOtherInAnyOrder) {
   FurSkinRegion near = ball(0.1, 0.5), far = ball(0.12, 1);
-  const glm::dvec3 place = near.centre + 0.13 * up;
-  const double kept_near = 1 - bare_share(near, place, up), kept_far = 1 - bare_share(far, place, up);
+  const glm::dvec3 position = near.centre + 0.13 * up;
+  const double kept_near = 1 - bare_share(near, position, up), kept_far = 1 - bare_share(far, position, up);
   const std::vector<FurSkinRegion> one{near, far}, other{far, near};
-  EXPECT_NEAR(fur_share(one, place, up), kept_near * kept_far, 1e-15);
-  EXPECT_EQ(fur_share(one, place, up), fur_share(other, place, up));
-  EXPECT_EQ(fur_share({}, place, up), 1);
+  EXPECT_NEAR(fur_share(one, position, up), kept_near * kept_far, 1e-15);
+  EXPECT_EQ(fur_share(one, position, up), fur_share(other, position, up));
+  EXPECT_EQ(fur_share({}, position, up), 1);
   EXPECT_EQ(fur_share(one, near.centre, up), 0);
 }
 

@@ -66,10 +66,10 @@ TEST_F(Extremes, FoldedFieldsGiveSanePictures) {
     }
     trace(fur, usual(transport));
     fur.id = 3;
-    for (glm::vec3& place : fur.positions) place.y = 0;
+    for (glm::vec3& position : fur.positions) position.y = 0;
     trace(fur, usual(transport));
     fur.id = 4;
-    for (glm::vec3& place : fur.positions) place = glm::vec3(0.1f);
+    for (glm::vec3& position : fur.positions) position = glm::vec3(0.1f);
     trace(fur, usual(transport));
   }
 }
@@ -124,9 +124,9 @@ TEST_F(Extremes, DenseFurIsThinnedOutToWhatIsAllowed) {
   }
 }
 
-FurLight point_at(glm::vec3 place, float radiance) {
+FurLight point_at(glm::vec3 position, float radiance) {
   FurLight light;
-  light.kind = LightKind::point, light.position = place, light.radiance = glm::vec3(radiance), light.radius = 0.01f;
+  light.kind = LightKind::point, light.position = position, light.radiance = glm::vec3(radiance), light.radius = 0.01f;
   return light;
 }
 
@@ -134,10 +134,10 @@ TEST_F(Extremes, LightsAnywhereGiveSanePictures) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat()});
   for (const Transport transport : both) {
     FurFrame frame = usual(transport);
-    for (const glm::vec3 place : {knot(strands, 5, 0).place, knot(strands, 5, 3).place, glm::vec3(0),
-                                  glm::vec3(0, 0, 0.25f), glm::vec3(0, 1e6f, 0), glm::vec3(0, 1e30f, 0)}) {
+    for (const glm::vec3 position : {knot(strands, 5, 0).position, knot(strands, 5, 3).position, glm::vec3(0),
+                                     glm::vec3(0, 0, 0.25f), glm::vec3(0, 1e6f, 0), glm::vec3(0, 1e30f, 0)}) {
       for (const float radiance : {0.0f, 1.0f, 1e8f}) {
-        frame.lights = {point_at(place, radiance)};
+        frame.lights = {point_at(position, radiance)};
         for (const float radius : {0.0f, 10.0f}) {
           frame.lights.front().radius = radius;
           trace(frame);
@@ -184,7 +184,7 @@ TEST_F(Extremes, DirectionalAndEnvironmentLightGivesSanePictures) {
 
 TEST_F(Extremes, CamerasAnywhereGiveSanePictures) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat()});
-  const glm::vec3 along = glm::normalize(tip(strands, 5).place - knot(strands, 5, 0).place);
+  const glm::vec3 along = glm::normalize(tip(strands, 5).position - knot(strands, 5, 0).position);
   const auto looking = [](FurFrame frame, glm::vec3 eye, glm::vec3 forward) {
     frame.camera.position = eye, frame.camera.forward = glm::normalize(forward);
     const glm::vec3 up = std::abs(frame.camera.forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -196,12 +196,12 @@ TEST_F(Extremes, CamerasAnywhereGiveSanePictures) {
     for (const float tan_half_fov : {0.0087f, 3.73f}) {  // 1 and 150 degrees
       FurFrame frame = usual(transport);
       frame.camera.tan_half_fov = tan_half_fov;
-      trace(looking(frame, {0, 0, 0.27f}, {0, 0, -1}));         // inside the fur
-      trace(looking(frame, {0, 0, 0.25f}, {0, 0, -1}));         // on the skin
-      trace(looking(frame, {0, 0, 0.25f}, {1, 0, 0}));          // along the skin
-      trace(looking(frame, {0, 0, 0}, {0, 0, -1}));             // inside the body
-      trace(looking(frame, knot(strands, 5, 0).place, along));  // inside a strand
-      trace(looking(frame, tip(strands, 5).place + along, -along));
+      trace(looking(frame, {0, 0, 0.27f}, {0, 0, -1}));            // inside the fur
+      trace(looking(frame, {0, 0, 0.25f}, {0, 0, -1}));            // on the skin
+      trace(looking(frame, {0, 0, 0.25f}, {1, 0, 0}));             // along the skin
+      trace(looking(frame, {0, 0, 0}, {0, 0, -1}));                // inside the body
+      trace(looking(frame, knot(strands, 5, 0).position, along));  // inside a strand
+      trace(looking(frame, tip(strands, 5).position + along, -along));
       trace(looking(frame, {0, 0, 1e6f}, {0, 0, -1}));
       trace(looking(frame, {0, -1e6f, 0}, {0, 1, 0}));
       trace(looking(frame, {0, 1e20f, 1e20f}, {0, -1, -1}));  // beyond Embree's range

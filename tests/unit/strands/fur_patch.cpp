@@ -14,7 +14,7 @@ std::vector<std::vector<std::uint32_t>> sorted_strands(const StrandSet& set) {
     std::vector<std::uint32_t> words;
     for (int k = 0; k <= set.segments; ++k) {
       const StrandPoint& point = knot(set, i, k);
-      for (const float value : {point.place.x, point.place.y, point.place.z, point.radius}) add(words, value);
+      for (const float value : {point.position.x, point.position.y, point.position.z, point.radius}) add(words, value);
       words.push_back(set.colours[i * static_cast<std::size_t>(set.segments + 1) + static_cast<std::size_t>(k)]);
     }
     const StrandRoot& root = set.roots[i];

@@ -101,9 +101,9 @@ TEST(GrowColour, PicturesHaveVUp) {
 }
 
 /// Colour of a strand with its root at a point, which would be `base` without a pattern.
-glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 place, glm::vec3 normal, glm::vec3 base) {
-  const glm::vec4 varied = pattern_variation(block, place);
-  return with_weights(block, pattern_weights(block, place, normal), base) *
+glm::vec3 pattern_colour(const PatternBlock& block, glm::vec3 position, glm::vec3 normal, glm::vec3 base) {
+  const glm::vec4 varied = pattern_variation(block, position);
+  return with_weights(block, pattern_weights(block, position, normal), base) *
          (varied.z * glm::vec3(1 + varied.w, 1, 1 - varied.w));
 }
 
@@ -115,7 +115,7 @@ TEST(GrowColour, PatternIsThatOfTheRoot) {
   const PatternBlock block = make_pattern_block(coat);
   float darkest = 9, lightest = 0;
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const glm::vec3 expected = pattern_colour(block, knot(set, i, 0).place, {0, 0, 1}, coat.ramp[0].colour);
+    const glm::vec3 expected = pattern_colour(block, knot(set, i, 0).position, {0, 0, 1}, coat.ramp[0].colour);
     expect_colour(colour_of(set, i, 3), expected);
     darkest = std::min(darkest, expected.r), lightest = std::max(lightest, expected.r);
   }

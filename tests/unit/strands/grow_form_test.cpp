@@ -21,7 +21,7 @@ constexpr double turn = 2 * std::numbers::pi;
 double arc_length(const StrandSet& set, std::size_t strand) {
   double sum = 0;
   for (int k = 0; k < set.segments; ++k)
-    sum += glm::distance(knot(set, strand, k).place, knot(set, strand, k + 1).place);
+    sum += glm::distance(knot(set, strand, k).position, knot(set, strand, k + 1).position);
   return sum;
 }
 
@@ -43,8 +43,8 @@ TEST(GrowForm, FollowsTheLeanCurve) {
         for (int k = 0; k <= set.segments; ++k) {
           const LeanPoint at = lean_point(curve, inclination, 0.3, static_cast<double>(k) / set.segments);
           const glm::dvec3 expected(0.6 * at.across, 0.8 * at.across, at.up);
-          const glm::dvec3 place = knot(set, i, k).place - knot(set, i, 0).place;
-          ASSERT_LT(glm::distance(place, 0.05 * expected), 1e-6) << inclination << ' ' << k;
+          const glm::dvec3 position = knot(set, i, k).position - knot(set, i, 0).position;
+          ASSERT_LT(glm::distance(position, 0.05 * expected), 1e-6) << inclination << ' ' << k;
         }
         ASSERT_NEAR(arc_length(set, i), 0.05, 0.05 * 0.003);
       }
@@ -67,12 +67,12 @@ TEST(GrowForm, PlacesAreMixedAsShellsMixThem) {
            static_cast<double>(patch.length[v]) * glm::dvec3(heading * at.across, at.up);
   };
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const glm::dvec2 at = glm::dvec2(knot(set, i, 0).place) / static_cast<double>(patch.positions[3].x);
+    const glm::dvec2 at = glm::dvec2(knot(set, i, 0).position) / static_cast<double>(patch.positions[3].x);
     const bool lower = at.x > at.y;  // triangle of vertices 0 1 3, or 0 3 2
     const double third = std::min(at.x, at.y), second = std::abs(at.x - at.y);
     const glm::dvec3 expected =
         (1 - third - second) * corner_tip(0) + second * corner_tip(lower ? 1 : 2) + third * corner_tip(3);
-    ASSERT_LT(glm::distance(glm::dvec3(tip(set, i).place), expected), 1e-6) << i;
+    ASSERT_LT(glm::distance(glm::dvec3(tip(set, i).position), expected), 1e-6) << i;
   }
 }
 
@@ -88,8 +88,8 @@ TEST(GrowForm, OffsetsAreTheTiles) {
     for (int k = 0; k <= set.segments; ++k) {
       const double q = static_cast<double>(k) / set.segments;
       const glm::dvec2 expected = strand_offset(coat, strand, q);
-      const glm::dvec3 place = knot(set, i, k).place - knot(set, i, 0).place;
-      ASSERT_LT(glm::distance(place, glm::dvec3(expected, 0.2 * strand.length_share * q)), 2e-6);
+      const glm::dvec3 position = knot(set, i, k).position - knot(set, i, 0).position;
+      ASSERT_LT(glm::distance(position, glm::dvec3(expected, 0.2 * strand.length_share * q)), 2e-6);
       const double radius = 0.5 * strand.width * glm::mix(coat.width_root, coat.width_tip, q);
       ASSERT_NEAR(knot(set, i, k).radius, radius, 1e-9);
     }
@@ -107,8 +107,8 @@ TEST(GrowForm, TileAxesTurnOffsets) {
   const std::vector<Strand> strands = make_strands(coat);
   for (std::size_t i = 0; i < set.count(); ++i) {
     const glm::dvec2 offset = strand_offset(coat, strand_of(strands, set.roots[i].number), 1);
-    const glm::dvec3 place = tip(set, i).place - knot(set, i, 0).place;
-    ASSERT_LT(glm::distance(place, glm::dvec3(-offset.y, offset.x, 0.2)), 1e-6);
+    const glm::dvec3 position = tip(set, i).position - knot(set, i, 0).position;
+    ASSERT_LT(glm::distance(position, glm::dvec3(-offset.y, offset.x, 0.2)), 1e-6);
   }
 }
 
@@ -128,7 +128,7 @@ TEST(GrowForm, TurnsWithTheModel) {
   const StrandSet set = patch.grow(recipe);
   ASSERT_EQ(set.count(), level.count());
   for (std::size_t i = 0; i < set.points.size(); ++i)
-    ASSERT_LT(glm::distance(set.points[i].place, turned * level.points[i].place), 1e-6f);
+    ASSERT_LT(glm::distance(set.points[i].position, turned * level.points[i].position), 1e-6f);
   EXPECT_LT(glm::distance(set.roots[0].normal, turned * level.roots[0].normal), 1e-6f);
 }
 
@@ -142,7 +142,7 @@ TEST(GrowForm, ShortFurIsNotWiderThanLong) {
     double widest = 0;
     for (std::size_t i = 0; i < set.count(); ++i) {
       for (int k = 0; k <= set.segments; ++k) {
-        const glm::vec2 side(knot(set, i, k).place - knot(set, i, 0).place);
+        const glm::vec2 side(knot(set, i, k).position - knot(set, i, 0).position);
         ASSERT_LE(glm::length(side), fur * set.roots[i].reach * 1.0001f + 1e-7f);
         widest = std::max<double>(widest, glm::length(side));
       }
@@ -162,19 +162,19 @@ TEST(GrowForm, PaintedCurl) {
   ASSERT_EQ(set.count(), own.count());
   EXPECT_EQ(set.segments, 16);
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const glm::dvec2 tile = glm::dvec2(knot(set, i, 0).place) / coat.tile;
+    const glm::dvec2 tile = glm::dvec2(knot(set, i, 0).position) / coat.tile;
     for (int k = 0; k <= set.segments; ++k) {
       const double s = static_cast<double>(k) / set.segments;
       const double angle = turn * 2 * s + 2.2 * (std::sin(turn * tile.x + 0.7) + std::sin(turn * tile.y + 2.1));
       const glm::dvec2 expected = 0.25 * 0.03 * std::min(1.0, 4 * s) * glm::dvec2(std::cos(angle), std::sin(angle));
-      const glm::dvec3 more = knot(set, i, k).place - knot(own, i, k).place;
+      const glm::dvec3 more = knot(set, i, k).position - knot(own, i, k).position;
       ASSERT_LT(glm::distance(more, glm::dvec3(expected, 0)), 5e-7) << k;
     }
   }
   const std::vector<float> max(4, 0.9f);  // more than the maximum of .5
   patch.paint.curl = max;
   const StrandSet curliest = patch.grow({coat});
-  EXPECT_NEAR(glm::distance(tip(curliest, 0).place, tip(own, 0).place), 0.4 * 0.03, 1e-6);
+  EXPECT_NEAR(glm::distance(tip(curliest, 0).position, tip(own, 0).position), 0.4 * 0.03, 1e-6);
 }
 
 TEST(GrowForm, PaintedClumpAndWaterGather) {
@@ -188,12 +188,12 @@ TEST(GrowForm, PaintedClumpAndWaterGather) {
     const StrandSet set = patch.grow({coat});
     const double painted = wet ? 0.85 * 0.6 : 0.6;
     for (std::size_t i = 0; i < set.count(); ++i) {
-      const glm::dvec2 root(knot(set, i, 0).place);
+      const glm::dvec2 root(knot(set, i, 0).position);
       const StrandClump clump = grid.nearest(root);
       for (int k = 0; k <= set.segments; ++k) {
         const double s = static_cast<double>(k) / set.segments;
         const double part = 0.8 * painted * (0.5 + 0.5 * clump.pull) * std::pow(s, 1.5);
-        const glm::dvec2 side(knot(set, i, k).place - knot(set, i, 0).place);
+        const glm::dvec2 side(knot(set, i, k).position - knot(set, i, 0).position);
         ASSERT_LT(glm::distance(side, part * (clump.centre - root)), 1e-6);
       }
       EXPECT_FLOAT_EQ(set.roots[i].wetness, wet ? 0.6f : 0.0f);
@@ -212,11 +212,11 @@ TEST(GrowForm, ShadersFindTheStrandThatWasPulled) {
   const StrandSet set = patch.grow({coat});
   const ClumpGrid grid(coat.tile, coat.clump_size, coat.seed, 1);
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const StrandClump clump = grid.nearest(glm::dvec2(knot(set, i, 0).place));
+    const StrandClump clump = grid.nearest(glm::dvec2(knot(set, i, 0).position));
     const double part = 0.8 * 0.7 * (0.5 + 0.5 * clump.pull);
-    const glm::dvec2 here(tip(set, i).place), middle = clump.centre - here;
+    const glm::dvec2 here(tip(set, i).position), middle = clump.centre - here;
     const glm::dvec2 looked_up = here - middle * (part / (1 - part));
-    ASSERT_LT(glm::distance(looked_up, glm::dvec2(tip(own, i).place)), 2e-6);
+    ASSERT_LT(glm::distance(looked_up, glm::dvec2(tip(own, i).position)), 2e-6);
   }
 }
 
@@ -227,11 +227,11 @@ TEST(GrowForm, TuftsGatherByTheirMiddle) {
     const FurPatch patch(0.3, 2, fur);
     const StrandSet set = patch.grow({coat});
     for (std::size_t i = 0; i < set.count(); ++i) {
-      const glm::vec3 root = knot(set, i, 0).place;
+      const glm::vec3 root = knot(set, i, 0).position;
       const TuftPull tuft = tuft_at(coat.tufts, root, {0, 0, 1});
       const double radius = glm::length(tuft.to_middle) / std::max(1 - tuft.inside, 0.05f);
       const double part = gathered(coat.tufts, 1) * std::min(1.0, fur / radius);
-      const glm::vec3 side = tip(set, i).place - root - glm::vec3(0, 0, fur);
+      const glm::vec3 side = tip(set, i).position - root - glm::vec3(0, 0, fur);
       ASSERT_LT(glm::distance(glm::dvec3(side), part * glm::dvec3(tuft.to_middle)), 1e-5);
       ASSERT_LT(glm::length(side), fur);
     }
@@ -263,7 +263,7 @@ TEST(GrowForm, PatternVariationAndTuftsGoAlongWithAModelThatMoves) {
   ASSERT_EQ(before.count(), after.count());
   ASSERT_EQ(before.colours, after.colours);
   for (std::size_t i = 0; i < before.points.size(); ++i)
-    ASSERT_LT(glm::distance(by * before.points[i].place + away, after.points[i].place), 1e-5f) << i;
+    ASSERT_LT(glm::distance(by * before.points[i].position + away, after.points[i].position), 1e-5f) << i;
   other.rest_positions.clear(), other.rest_normals.clear();
   EXPECT_NE(other.grow({coat}).colours, before.colours);  // without the rest pose the pattern stays in space
 }
@@ -277,12 +277,12 @@ TEST(GrowForm, VariationChangesLengthAndLean) {
   const PatternBlock block = make_pattern_block(coat);
   double lowest = 1, highest = 0;
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const glm::vec3 root = knot(set, i, 0).place;
+    const glm::vec3 root = knot(set, i, 0).position;
     const double length = 0.03 * pattern_length(block, root),
                  lean = std::clamp(0.5f + pattern_lean(block, root), 0.0f, 1.0f);
     const LeanPoint at = lean_point(LeanCurve::arc, lean, 0, 1);
-    const glm::dvec3 place = tip(set, i).place - root;
-    ASSERT_LT(glm::distance(place, length * glm::dvec3(at.across, 0, at.up)), 0.02 * length + 1e-5);
+    const glm::dvec3 position = tip(set, i).position - root;
+    ASSERT_LT(glm::distance(position, length * glm::dvec3(at.across, 0, at.up)), 0.02 * length + 1e-5);
     lowest = std::min(lowest, length), highest = std::max(highest, length);
   }
   EXPECT_GT(highest, 1.3 * lowest);
@@ -298,7 +298,7 @@ TEST(GrowForm, GuardHairsReachBeyondTheFur) {
   EXPECT_NEAR(static_cast<double>(none.count() - count_shared(some, none)), 200, 60);
   double tallest = 0;
   for (std::size_t i = 0; i < some.count(); ++i) {
-    const glm::dvec3 way = tip(some, i).place - knot(some, i, 0).place;
+    const glm::dvec3 way = tip(some, i).position - knot(some, i, 0).position;
     tallest = std::max(tallest, way.z / 0.04);
     if (way.z > 0.0401) {
       EXPECT_NEAR(glm::length(glm::dvec2(way)), 0.2 * nominal_length, 1e-6);
@@ -307,7 +307,7 @@ TEST(GrowForm, GuardHairsReachBeyondTheFur) {
   EXPECT_GT(tallest, 1.2);
   EXPECT_LE(tallest, 1.25001);
   const StrandSet all = patch.grow({.coat = coat, .guard_share = 1});
-  for (std::size_t i = 0; i < all.count(); ++i) EXPECT_GE(tip(all, i).place.z, 0.8f * 0.04f - 1e-6f);
+  for (std::size_t i = 0; i < all.count(); ++i) EXPECT_GE(tip(all, i).position.z, 0.8f * 0.04f - 1e-6f);
 }
 
 TEST(GrowForm, WidthIsPaintedAndWidened) {
@@ -329,10 +329,11 @@ std::vector<float> rasterised(const StrandSet& set, double s, double tile) {
     const double inside = (reach - s) * slice_count + 0.5;  // part of the slice's slab below the strand's tip
     if (inside <= 0) continue;
     const int k = std::min(static_cast<int>(at), set.segments - 1);
-    const glm::dvec2 place(glm::mix(knot(set, i, k).place, knot(set, i, k + 1).place, static_cast<float>(at - k)));
+    const glm::dvec2 position(
+        glm::mix(knot(set, i, k).position, knot(set, i, k + 1).position, static_cast<float>(at - k)));
     const double thick = glm::mix(knot(set, i, k).radius, knot(set, i, k + 1).radius, static_cast<float>(at - k));
     const double radius = thick * std::min(1.0, inside) / tile * side;
-    const glm::dvec2 centre = place / tile * double(side);
+    const glm::dvec2 centre = position / tile * double(side);
     for (int y = static_cast<int>(std::floor(centre.y - radius)); y <= centre.y + radius; ++y) {
       for (int x = static_cast<int>(std::floor(centre.x - radius)); x <= centre.x + radius; ++x) {
         if (glm::distance(centre, glm::dvec2(x + 0.5, y + 0.5)) > radius) continue;
@@ -376,7 +377,7 @@ TEST(GrowCurves, AreTheStripsOfTheCurves) {
   EXPECT_EQ(set.points.size(), 5u * static_cast<unsigned>(set.segments + 1));
   EXPECT_FLOAT_EQ(knot(set, 0, 0).radius, 0.001f);
   EXPECT_FLOAT_EQ(tip(set, 0).radius, 1e-7f);
-  EXPECT_LT(glm::distance(tip(set, 0).place, glm::vec3(0, 0, 0.1f)), 1e-6f);
+  EXPECT_LT(glm::distance(tip(set, 0).position, glm::vec3(0, 0, 0.1f)), 1e-6f);
   EXPECT_EQ(set.roots[0].reach, 1);
   EXPECT_EQ(set.roots[0].normal, glm::vec3(0, 1, 0));
   EXPECT_NEAR(unpack_colour(set.colours[24]).r, 0.5, 0.01);

@@ -22,8 +22,8 @@ void shake(FurPatch& patch, int quads, double step, unsigned seed) {
   std::uniform_real_distribution<float> uniform(-1, 1);
   for (int y = 1; y < quads; ++y) {
     for (int x = 1; x < quads; ++x) {
-      glm::vec3& place = patch.positions[static_cast<std::size_t>(y * (quads + 1) + x)];
-      place += glm::vec3(uniform(random), uniform(random), 0) * static_cast<float>(0.3 * step);
+      glm::vec3& position = patch.positions[static_cast<std::size_t>(y * (quads + 1) + x)];
+      position += glm::vec3(uniform(random), uniform(random), 0) * static_cast<float>(0.3 * step);
     }
   }
   for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
@@ -68,7 +68,7 @@ TEST(Grow, AnySplitOfAPatchGrowsTheSameRoots) {
     const StrandSet set = patch.grow(recipe);
     EXPECT_EQ(set.count(), whole) << seed;
     std::vector<glm::vec3> roots;
-    for (std::size_t i = 0; i < set.count(); ++i) roots.push_back(knot(set, i, 0).place);
+    for (std::size_t i = 0; i < set.count(); ++i) roots.push_back(knot(set, i, 0).position);
     std::sort(roots.begin(), roots.end(), [](glm::vec3 a, glm::vec3 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     for (std::size_t i = 1; i < roots.size(); ++i)
       ASSERT_GT(glm::distance(roots[i - 1], roots[i]), 1e-6f) << seed;  // no root twice
@@ -85,9 +85,9 @@ TEST(Grow, RootsLieWhereTheTilePutsThem) {
       return static_cast<float>(strand.number) == set.roots[i].number;
     });
     ASSERT_NE(same, strands.end());
-    EXPECT_NEAR(knot(set, i, 0).place.x, same->root.x, 1e-7);
-    EXPECT_NEAR(knot(set, i, 0).place.y, same->root.y, 1e-7);
-    EXPECT_EQ(knot(set, i, 0).place.z, 0);
+    EXPECT_NEAR(knot(set, i, 0).position.x, same->root.x, 1e-7);
+    EXPECT_NEAR(knot(set, i, 0).position.y, same->root.y, 1e-7);
+    EXPECT_EQ(knot(set, i, 0).position.z, 0);
     EXPECT_EQ(set.roots[i].normal, glm::vec3(0, 0, 1));
     EXPECT_FLOAT_EQ(set.roots[i].reach, static_cast<float>(same->length_share));
   }
@@ -200,7 +200,7 @@ TEST(Grow, BareSkinGrowsNone) {
   const StrandSet set = patch.grow(recipe);
   EXPECT_LT(set.count(), expected_strands(patch.model(), recipe.coat) - 1000);
   for (std::size_t i = 0; i < set.count(); ++i)
-    ASSERT_GT(glm::distance(knot(set, i, 0).place, glm::vec3(0.2f, 0.2f, 0)), 0.03f);
+    ASSERT_GT(glm::distance(knot(set, i, 0).position, glm::vec3(0.2f, 0.2f, 0)), 0.03f);
   const std::vector<float> bare(patch.positions.size(), 1.0f);
   patch.paint.bare = bare;
   EXPECT_EQ(patch.grow(recipe).count(), 0u);
@@ -265,9 +265,9 @@ TEST(GrowExtremes, StrandsAreFiniteOrAbsent) {
       EXPECT_LE(set.count(), 1u);
     }
     for (const StrandPoint& point : set.points) {
-      ASSERT_TRUE(std::isfinite(glm::dot(point.place, point.place)));
+      ASSERT_TRUE(std::isfinite(glm::dot(point.position, point.position)));
       ASSERT_GE(point.radius, 1e-7f);
-      ASSERT_LE(glm::length(point.place), 2 * length + 0.3f);
+      ASSERT_LE(glm::length(point.position), 2 * length + 0.3f);
     }
   }
 }

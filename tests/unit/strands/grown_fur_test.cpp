@@ -15,8 +15,8 @@ namespace {
 std::vector<std::array<float, 4>> roots_of(const StrandSet& set) {
   std::vector<std::array<float, 4>> roots;
   for (std::size_t i = 0; i < set.count(); ++i) {
-    const glm::vec3 place = knot(set, i, 0).place;
-    roots.push_back({place.x, place.y, place.z, set.roots[i].number});
+    const glm::vec3 position = knot(set, i, 0).position;
+    roots.push_back({position.x, position.y, position.z, set.roots[i].number});
   }
   return roots;
 }
@@ -40,7 +40,7 @@ TEST(GrownFur, HasTheStrandsOfOneGrower) {
 /// Two coats on a patch: long fur, and short fur on its left half alone.
 struct TwoCoats {
   TwoCoats() {
-    for (const glm::vec3 place : patch.positions) density.push_back(place.x < 0.3f ? 1.0f : 0.0f);
+    for (const glm::vec3 position : patch.positions) density.push_back(position.x < 0.3f ? 1.0f : 0.0f);
     for (std::size_t v = 0; v < patch.positions.size(); ++v) short_length.push_back(0.01f);
     recipes[1].coat.count /= 2, recipes[1].coat.seed = 9;
   }
@@ -140,9 +140,9 @@ struct BentPatch {
     recipe.coat.tufts.gather = 0.5;
     recipe.guard_share = 0.2;
     for (std::size_t v = 0; v < patch.direction.size(); ++v) {
-      const glm::vec3 place = patch.positions[v];
-      patch.direction[v] = {0.5f * std::sin(9 * place.x), 0.3f * std::cos(7 * place.y)};
-      moved.push_back(patch.direction[v] + glm::vec2(0.3f * std::cos(5 * place.x), 0.4f));
+      const glm::vec3 position = patch.positions[v];
+      patch.direction[v] = {0.5f * std::sin(9 * position.x), 0.3f * std::cos(7 * position.y)};
+      moved.push_back(patch.direction[v] + glm::vec2(0.3f * std::cos(5 * position.x), 0.4f));
     }
   }
   FurFields fields() const {
@@ -167,7 +167,7 @@ TEST(GrownFur, WhatMovesItBendsItToWhereItWouldHaveGrown) {
     const StrandSet &one = *fur.parts()[i].strands, &all = *other.parts()[i].strands;
     ASSERT_EQ(one.points.size(), all.points.size());
     for (std::size_t k = 0; k < one.points.size(); ++k)
-      furthest = std::max(furthest, glm::distance(one.points[k].place, all.points[k].place));
+      furthest = std::max(furthest, glm::distance(one.points[k].position, all.points[k].position));
     EXPECT_EQ(one.colours, all.colours);
     EXPECT_EQ(fur.parts()[i].longest, other.parts()[i].longest);
   }
@@ -182,7 +182,7 @@ TEST(GrownFur, KnowsWhereItsPartsAreBentTo) {
   for (const GrownPart& part : fur.parts())
     for (const StrandPoint& point : part.strands->points)
       for (int axis = 0; axis < 3; ++axis)
-        beyond = std::max({beyond, part.low[axis] - point.place[axis], point.place[axis] - part.high[axis]});
+        beyond = std::max({beyond, part.low[axis] - point.position[axis], point.position[axis] - part.high[axis]});
   EXPECT_LT(beyond, 1e-4f);
 }
 
@@ -199,7 +199,8 @@ TEST(GrownFur, LeavesBendingToTheCaller) {
     EXPECT_EQ(one.low, other.low);
     EXPECT_EQ(one.high, other.high);
     const StrandSet &left_so = *other.strands, &grown = *still.parts()[i].strands;
-    for (std::size_t k = 0; k < grown.points.size(); ++k) ASSERT_EQ(left_so.points[k].place, grown.points[k].place);
+    for (std::size_t k = 0; k < grown.points.size(); ++k)
+      ASSERT_EQ(left_so.points[k].position, grown.points[k].position);
   }
   const std::vector<GrownPart> before = left.parts();
   left.update(bent.patch.model(), bent.fields(), bent.recipe, 2, {}, Bending::done);
@@ -254,8 +255,8 @@ TEST(GrownFur, KnowsWhereItsPartsAre) {
     EXPECT_NEAR(part.crowding, 1, 0.1f);
     EXPECT_EQ(part.longest, 0.03125f) << "the next step";
     for (const StrandPoint& point : part.strands->points) {
-      EXPECT_TRUE(glm::all(glm::lessThanEqual(part.low, point.place)));
-      EXPECT_TRUE(glm::all(glm::greaterThanEqual(part.high, point.place)));
+      EXPECT_TRUE(glm::all(glm::lessThanEqual(part.low, point.position)));
+      EXPECT_TRUE(glm::all(glm::greaterThanEqual(part.high, point.position)));
     }
   }
   EXPECT_NEAR(area, 0.36, 1e-4);

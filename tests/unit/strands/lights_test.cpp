@@ -34,25 +34,25 @@ FurLight rectangle(glm::vec3 direction) {
 }
 
 /// Irradiance of a matt surface with that normal: the mean of the red radiance times its cosine.
-double mean_on(const StrandLights& lights, glm::vec3 place, glm::vec3 normal) {
+double mean_on(const StrandLights& lights, glm::vec3 position, glm::vec3 normal) {
   constexpr int side = 400;
   double sum = 0;
   for (int i = 0; i < side * side; ++i) {
-    const LightSample s = lights.sample(0, place, (glm::vec2(i / side, i % side) + 0.5f) / float(side));
+    const LightSample s = lights.sample(0, position, (glm::vec2(i / side, i % side) + 0.5f) / float(side));
     sum += double(s.radiance.r) * std::max(0.0, double(glm::dot(s.to_light, normal)));
   }
   return sum / (side * side);
 }
 
 /// The same for a ball of radiance red / radius^2, by quadrature over its surface.
-double ball_by_quadrature(const FurLight& light, glm::dvec3 place, glm::dvec3 normal) {
+double ball_by_quadrature(const FurLight& light, glm::dvec3 position, glm::dvec3 normal) {
   constexpr int side = 800;
   const double r = double(light.radius);
   double sum = 0;
   for (int i = 0; i < side * side; ++i) {
     const double y = 2 * (i / side + 0.5) / side - 1, around = 2 * pi * (i % side + 0.5) / side;
     const glm::dvec3 out(std::sqrt(1 - y * y) * std::cos(around), y, std::sqrt(1 - y * y) * std::sin(around));
-    const glm::dvec3 apart = glm::dvec3(light.position) + r * out - place;
+    const glm::dvec3 apart = glm::dvec3(light.position) + r * out - position;
     const double square = glm::dot(apart, apart);
     const glm::dvec3 to_light = apart / std::sqrt(square);
     sum += std::max(0.0, -glm::dot(out, to_light)) * std::max(0.0, glm::dot(normal, to_light)) / square;
@@ -63,10 +63,10 @@ double ball_by_quadrature(const FurLight& light, glm::dvec3 place, glm::dvec3 no
 TEST(StrandLights, BallIsThatOfItsVisibleCap) {
   const FurLight light = ball_at({0.1f, 1, -0.2f}, 0.6f);
   const StrandLights lights = lights_of(light);
-  for (const glm::vec3 place : {glm::vec3(0), glm::vec3(0.3f, 0.4f, 0), glm::vec3(-2, 1, 0.5f)}) {
+  for (const glm::vec3 position : {glm::vec3(0), glm::vec3(0.3f, 0.4f, 0), glm::vec3(-2, 1, 0.5f)}) {
     for (const glm::vec3 normal : {glm::vec3(0, 1, 0), glm::vec3(0.6f, 0.8f, 0), glm::vec3(1, 0, 0)}) {
-      const double truth = ball_by_quadrature(light, place, normal);
-      EXPECT_NEAR(mean_on(lights, place, normal), truth, 3e-3 * truth + 1e-3);
+      const double truth = ball_by_quadrature(light, position, normal);
+      EXPECT_NEAR(mean_on(lights, position, normal), truth, 3e-3 * truth + 1e-3);
     }
   }
   const glm::vec3 towards = glm::normalize(light.position);  // facing it, the ball lights like a point in its middle
@@ -76,16 +76,16 @@ TEST(StrandLights, BallIsThatOfItsVisibleCap) {
 TEST(StrandLights, SampledDirectionsEndOnTheBall) {
   const FurLight light = ball_at({0.1f, 1, -0.2f}, 0.6f);
   for (int i = 0; i < 100; ++i) {
-    const glm::vec3 place(0.3f, 0.2f, 0.1f);
-    const LightSample s = lights_of(light).sample(0, place, {float(i % 10) / 10, float(i) / 100});
-    EXPECT_NEAR(glm::length(place + s.distance * s.to_light - light.position), 0.6f, 1e-5f);
+    const glm::vec3 position(0.3f, 0.2f, 0.1f);
+    const LightSample s = lights_of(light).sample(0, position, {float(i % 10) / 10, float(i) / 100});
+    EXPECT_NEAR(glm::length(position + s.distance * s.to_light - light.position), 0.6f, 1e-5f);
     EXPECT_NEAR(glm::length(s.to_light), 1, 1e-6f);
   }
 }
 
 /// A spot's light as in light_at of lighting.glsl.
-double spot_by_shader(const FurLight& light, glm::dvec3 place) {
-  const glm::dvec3 apart = glm::dvec3(light.position) - place;
+double spot_by_shader(const FurLight& light, glm::dvec3 position) {
+  const glm::dvec3 apart = glm::dvec3(light.position) - position;
   const double square = glm::dot(apart, apart);
   const double inside = -glm::dot(apart, glm::dvec3(light.direction)) / std::sqrt(square);
   const double edge = double(light.cone), whole = double(light.soft_cone);
@@ -98,12 +98,14 @@ TEST(StrandLights, SmallBallsAreTheShadersPoints) {
   light.cone = 0.7f, light.soft_cone = 0.9f;
   for (const float radius : {0.0f, 1e-30f, 1e-12f, 1e-5f, 1e-3f}) {
     light.radius = radius;
-    for (const glm::vec3 place : {glm::vec3(0), glm::vec3(0.7f, 0, 0), glm::vec3(0.5f, 0.1f, 0), glm::vec3(2, 0, 0)}) {
-      const LightSample s = lights_of(light).sample(0, place, {0.3f, 0.8f});
-      const double truth = spot_by_shader(light, place);
+    for (const glm::vec3 position :
+         {glm::vec3(0), glm::vec3(0.7f, 0, 0), glm::vec3(0.5f, 0.1f, 0), glm::vec3(2, 0, 0)}) {
+      const LightSample s = lights_of(light).sample(0, position, {0.3f, 0.8f});
+      const double truth = spot_by_shader(light, position);
       EXPECT_NEAR(s.radiance.r, truth, 3e-6 * truth) << radius;
-      EXPECT_GT(glm::dot(s.to_light, glm::normalize(light.position - place)), 1 - 2 * radius - 1e-6f);
-      EXPECT_NEAR(lights_of(light).importance(0, place) / (0.2126 * 3 + 0.7152 * 2 + 0.0722) * 3, truth, 3e-6 * truth);
+      EXPECT_GT(glm::dot(s.to_light, glm::normalize(light.position - position)), 1 - 2 * radius - 1e-6f);
+      EXPECT_NEAR(lights_of(light).importance(0, position) / (0.2126 * 3 + 0.7152 * 2 + 0.0722) * 3, truth,
+                  3e-6 * truth);
     }
   }
 }
@@ -127,14 +129,14 @@ TEST(StrandLights, DirectionalIsADiscOfDirections) {
 }
 
 /// The same for a rectangle with these axes, by quadrature over its surface.
-double rectangle_by_quadrature(const FurLight& light, glm::dvec3 right, glm::dvec3 place, glm::dvec3 normal) {
+double rectangle_by_quadrature(const FurLight& light, glm::dvec3 right, glm::dvec3 position, glm::dvec3 normal) {
   constexpr int side = 700;
   const glm::dvec3 facing(light.direction), up = glm::cross(facing, right);
   double sum = 0;
   for (int i = 0; i < side * side; ++i) {
     const double x = (i / side + 0.5) / side - 0.5, y = (i % side + 0.5) / side - 0.5;
     const glm::dvec3 off = x * double(light.extent.x) * right + y * double(light.extent.y) * up;
-    const glm::dvec3 apart = glm::dvec3(light.position) + off - place;
+    const glm::dvec3 apart = glm::dvec3(light.position) + off - position;
     const double square = glm::dot(apart, apart), length = std::sqrt(square);
     sum += std::max(0.0, -glm::dot(facing, apart) / length) * std::max(0.0, glm::dot(normal, apart) / length) / square;
   }
@@ -149,11 +151,11 @@ TEST(StrandLights, RectangleShinesToOneSideByTheCosine) {
   for (const auto& row : rows) {
     const FurLight light = rectangle(row.direction);
     const StrandLights lights = lights_of(light);
-    for (const glm::vec3 place :
+    for (const glm::vec3 position :
          {glm::vec3(0), glm::vec3(0.3f, 0.8f, 0.2f), glm::vec3(3, 2, -1), glm::vec3(0.2f, 2, 0)}) {
       const glm::vec3 normal = glm::normalize(glm::vec3(0.2f, 1, 0.4f));
-      const double truth = rectangle_by_quadrature(light, row.right, place, normal);
-      EXPECT_NEAR(mean_on(lights, place, normal), truth, 2e-3 * truth + 1e-7);
+      const double truth = rectangle_by_quadrature(light, row.right, position, normal);
+      EXPECT_NEAR(mean_on(lights, position, normal), truth, 2e-3 * truth + 1e-7);
     }
   }
   const FurLight light = rectangle({0, -1, 0});
@@ -172,14 +174,14 @@ TEST(StrandLights, ExtremesStayFinite) {
                            .radius = radius,
                            .extent = glm::vec2(radius)};
       const StrandLights lights = lights_of(light);
-      for (const glm::vec3 place : {glm::vec3(0), glm::vec3(0, -1e-20f, 0), glm::vec3(radius, 0, 0),
-                                    glm::vec3(0, -radius, 0), glm::vec3(0, -1e6f, 0), glm::vec3(1e6f, 1e6f, 1e6f)}) {
+      for (const glm::vec3 position : {glm::vec3(0), glm::vec3(0, -1e-20f, 0), glm::vec3(radius, 0, 0),
+                                       glm::vec3(0, -radius, 0), glm::vec3(0, -1e6f, 0), glm::vec3(1e6f, 1e6f, 1e6f)}) {
         for (const glm::vec2 u : {glm::vec2(0), glm::vec2(0.5f), glm::vec2(0x1.fffffep-1f)}) {
-          const LightSample s = lights.sample(0, place, u);
+          const LightSample s = lights.sample(0, position, u);
           EXPECT_TRUE(std::isfinite(s.radiance.r) && s.radiance.r >= 0) << int(kind) << ' ' << radius;
           EXPECT_NEAR(glm::length(s.to_light), 1, 1e-5f) << int(kind) << ' ' << radius;
           EXPECT_GE(s.distance, 0);
-          EXPECT_TRUE(std::isfinite(lights.importance(0, place)));
+          EXPECT_TRUE(std::isfinite(lights.importance(0, position)));
         }
       }
     }

@@ -41,11 +41,11 @@ TEST(MovingStrands, StartAsTheyOpenAndEndAsTheyClose) {
     ASSERT_EQ(opening.points.size(), both.points.size());
     EXPECT_TRUE(opening.closing.empty());
     for (std::size_t i = 0; i < both.points.size(); ++i) {
-      EXPECT_EQ(both.points[i].place, opening.points[i].place);
-      EXPECT_EQ(both.closing[i].place, closing.points[i].place);
+      EXPECT_EQ(both.points[i].position, opening.points[i].position);
+      EXPECT_EQ(both.closing[i].position, closing.points[i].position);
       EXPECT_EQ(both.closing[i].radius, both.points[i].radius);
     }
-    EXPECT_GT(both.closing.back().place.x, both.points.back().place.x + 0.01f);
+    EXPECT_GT(both.closing.back().position.x, both.points.back().position.x + 0.01f);
     EXPECT_GT(both.bytes(), opening.bytes());
   }
 }
@@ -60,8 +60,8 @@ TEST(MovingStrands, RaysHitThemWhereTheyAreAtTheirTime) {
   for (std::size_t i = 0; i < set.count(); ++i) {
     const std::size_t at = i * static_cast<std::size_t>(set.segments + 1) + static_cast<std::size_t>(set.segments) / 2;
     for (const float time : {0.0f, 0.5f, 1.0f}) {
-      const glm::vec3 place = glm::mix(set.points[at].place, set.closing[at].place, time);
-      const Ray ray{.origin = place - glm::vec3(0, 0.005f, 0), .direction = {0, 1, 0}, .t_max = 0.01f, .time = time};
+      const glm::vec3 position = glm::mix(set.points[at].position, set.closing[at].position, time);
+      const Ray ray{.origin = position - glm::vec3(0, 0.005f, 0), .direction = {0, 1, 0}, .t_max = 0.01f, .time = time};
       const Hit hit = world.intersect(ray);
       met += hit.kind == HitKind::strand && std::abs(hit.distance - 0.005f) < 5e-4f;
       EXPECT_TRUE(world.occluded(ray));

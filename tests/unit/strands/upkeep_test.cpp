@@ -179,7 +179,7 @@ TEST(Upkeep, CoverageStaysFromAnyDistance) {
     FurPatch ball = fur_ball(0.04f);
     World world(plenty);
     if (more_fur_than_body) {
-      for (glm::vec3& place : ball.positions) place *= 0.3f;
+      for (glm::vec3& position : ball.positions) position *= 0.3f;
     }
     ASSERT_TRUE(world.update(ball.model(), ball.fields(), {}, GrowRecipe{view_from(2).coat()}, {2, false}, always));
     std::size_t max = 0, min = 1u << 30;

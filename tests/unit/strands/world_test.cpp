@@ -31,7 +31,7 @@ Coat thick_coat() {
 /// A ray along y at half the first strand's height, `aside` from the strand's axis in x.
 Ray past_first(const StrandSet& set, float aside) {
   const StrandPoint root = knot(set, 0, 0), end = tip(set, 0);
-  const glm::vec3 middle = 0.5f * (root.place + end.place);
+  const glm::vec3 middle = 0.5f * (root.position + end.position);
   return {.origin = middle + glm::vec3(aside, -0.001f * 5, 0), .direction = {0, 1, 0}};
 }
 
@@ -101,10 +101,10 @@ TEST(World, LightPassesStrandsByColourAndCount) {
     grown(world, patch, coat);
     const StrandSet set = patch.grow({coat});
     for (const float aside : {0.0f, 0.013f, 0.031f}) {
-      const Ray ray{.origin = knot(set, 0, 0).place + glm::vec3(aside, -1, 0.012f), .direction = {0, 1, 0}};
+      const Ray ray{.origin = knot(set, 0, 0).position + glm::vec3(aside, -1, 0.012f), .direction = {0, 1, 0}};
       int crossed = 0;
       for (std::size_t i = 0; i < set.count(); ++i) {
-        if (std::abs(knot(set, i, 0).place.x - ray.origin.x) < 0.001f) ++crossed;
+        if (std::abs(knot(set, i, 0).position.x - ray.origin.x) < 0.001f) ++crossed;
       }
       const glm::vec3 transmittance = world.transmittance(ray, 0.4f);
       const float depth = 0.4f * static_cast<float>(crossed);

@@ -227,10 +227,10 @@ TEST(OwnUvs, AreRefusedWhereThereAreNone) {
 TEST(ValueNoise, IsSmoothWithinItsRangeAndDependsOnTheSeed) {
   double low = 1, high = -1;
   for (int i = -2000; i < 2000; ++i) {
-    const glm::dvec3 place = 0.013 * i * glm::dvec3(1, 0.7, -0.3);
-    const double here = value_noise(place, 1);
+    const glm::dvec3 position = 0.013 * i * glm::dvec3(1, 0.7, -0.3);
+    const double here = value_noise(position, 1);
     low = std::min(low, here), high = std::max(high, here);
-    EXPECT_LT(std::abs(value_noise(place + glm::dvec3(1e-4), 1) - here), 2e-3);
+    EXPECT_LT(std::abs(value_noise(position + glm::dvec3(1e-4), 1) - here), 2e-3);
   }
   EXPECT_GE(low, -1);
   EXPECT_LE(high, 1);

@@ -108,8 +108,8 @@ TEST(SidesTest, AreSorted) {
 }
 
 /// Value noise, with the lattice values at the eight corners hashed one by one.
-double plain_value_noise(glm::dvec3 place, std::uint64_t seed) {
-  const glm::dvec3 low = glm::floor(place), part = place - low;
+double plain_value_noise(glm::dvec3 position, std::uint64_t seed) {
+  const glm::dvec3 low = glm::floor(position), part = position - low;
   const glm::dvec3 blend = part * part * (3.0 - 2.0 * part);
   double sum = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -128,8 +128,8 @@ double plain_value_noise(glm::dvec3 place, std::uint64_t seed) {
 TEST(ValueNoiseTest, IsThePlainFormulaToTheBit) {
   Random random(9);
   for (std::uint64_t i = 0; i < 1000; ++i) {
-    const glm::dvec3 place(random.uniform(-1e3, 1e3), random.uniform(-1, 1), random.uniform(-1e6, 1e6));
-    ASSERT_EQ(value_noise(place, i), plain_value_noise(place, i));
+    const glm::dvec3 position(random.uniform(-1e3, 1e3), random.uniform(-1, 1), random.uniform(-1e6, 1e6));
+    ASSERT_EQ(value_noise(position, i), plain_value_noise(position, i));
   }
 }
 

@@ -99,7 +99,7 @@ TEST(Surface, RaysThroughEdgesAndVerticesDoNotSlipThrough) {
 
 TEST(Surface, FindsNearestPoints) {
   const Surface cube = surface_of(shapes::cube());
-  const auto at = [&](glm::dvec3 place) { return cube.position(cube.nearest(place)); };
+  const auto at = [&](glm::dvec3 position) { return cube.position(cube.nearest(position)); };
   EXPECT_NEAR(glm::length(at({0.1, 0.9, 0.05}) - glm::dvec3(0.1, half, 0.05)), 0, 1e-6);
   EXPECT_NEAR(glm::length(at({9, 9, 9}) - glm::dvec3(half)), 0, 1e-6);
   EXPECT_NEAR(glm::length(at({0.2, 0, 0.01}) - glm::dvec3(half, 0, 0.01)), 0, 1e-6);

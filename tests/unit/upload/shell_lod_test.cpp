@@ -66,8 +66,8 @@ TEST(ShellLods, CurvatureOfASphereIsOneOverItsRadius) {
 
 TEST(ShellLods, ExtremesGiveValidLevels) {
   for (const float length : {0.0f, 1e-20f, 10.0f, 1e20f}) {
-    for (const glm::vec3 place : {glm::vec3(0, 0, 10), glm::vec3(0, 0, 1e6f), glm::vec3(0)}) {
-      const float level = shell_lod(view, {place, {0, 0, 1}, length, 1e6f});
+    for (const glm::vec3 position : {glm::vec3(0, 0, 10), glm::vec3(0, 0, 1e6f), glm::vec3(0)}) {
+      const float level = shell_lod(view, {position, {0, 0, 1}, length, 1e6f});
       EXPECT_TRUE(level >= 0 && level <= max_shell_lod) << level;
     }
   }

@@ -5,7 +5,7 @@ uniform float columns;
 uniform float ambient;
 uniform vec3 toLights[LIGHTS];
 uniform vec3 colours[LIGHTS];
-in vec2 place;
+in vec2 coat_uv;
 in vec3 tangent;
 in vec3 view;
 in vec3 fur;
@@ -18,10 +18,10 @@ const float sharpness = .5;       // scales the derivatives: one mipmap level fi
 const float inset = .5 / 256.;    // margin inside each atlas tile, in tiles; keeps neighbours from bleeding in
 
 void main() {
-  vec2 tile = clamp(fract(place), inset, 1. - inset);
+  vec2 tile = clamp(fract(coat_uv), inset, 1. - inset);
   vec2 corner = vec2(mod(layer, columns), floor(layer / columns));
   // Derivatives of the coordinate before wrapping avoid a seam of coarse mipmap levels where the tile repeats.
-  vec2 dx = sharpness * dFdx(place) / columns, dy = sharpness * dFdy(place) / columns;
+  vec2 dx = sharpness * dFdx(coat_uv) / columns, dy = sharpness * dFdy(coat_uv) / columns;
   vec4 strand = textureGrad(atlas, (corner + tile) / columns, dx, dy);
   float opacity = strand.a * share;
   if (opacity < .02) discard;

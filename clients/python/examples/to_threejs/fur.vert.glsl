@@ -5,7 +5,7 @@ attribute float _density;
 attribute float _weight;
 attribute vec3 _direction;
 uniform float layers;
-out vec2 place;     // texture coordinate on the coat's repeating tile
+out vec2 coat_uv;   // texture coordinate on the coat's repeating tile
 out vec3 tangent;   // of the strand at this vertex
 out vec3 view;
 out vec3 fur;
@@ -22,7 +22,7 @@ void main() {
   float bend = max(inclination * quarter, 1e-3);
   vec3 offset = _length * (sin(s * bend) * normal + (1. - cos(s * bend)) * along) / bend;
   vec4 world = modelMatrix * vec4(position + offset, 1);
-  place = uv;
+  coat_uv = uv;
   tangent = cos(s * bend) * normal + sin(s * bend) * along;
   view = cameraPosition - world.xyz;
   fur = color.rgb;

@@ -124,11 +124,11 @@ def knob_plot(rows: Sequence[Row], knob: str) -> Element:
     parts = [label(56, 14, knob, "start", "#222"), *axes(x, y, "ms", "error")]
     parts += [dot(x(row.cost), y(row.flip), 1.6, "#d6d0c6") for row in rows]
     turned = [row for row in rows if row.series == knob]
-    places = [(x(row.cost), y(row.flip)) for row in turned]
-    parts.append(line(places, colour, 2))
-    parts += [dot(*place, 4, colour, hint_of(row)) for place, row in zip(places, turned)]
+    points = [(x(row.cost), y(row.flip)) for row in turned]
+    parts.append(line(points, colour, 2))
+    parts += [dot(*point, 4, colour, hint_of(row)) for point, row in zip(points, turned)]
     parts += [label(a + 6, b + (15 if n % 2 else -5), row.value, "start", colour)  # alternates above and below
-              for n, ((a, b), row) in enumerate(zip(places, turned))]
+              for n, ((a, b), row) in enumerate(zip(points, turned))]
     return svg(300, 220, f"What {knob} buys", parts)
 
 

@@ -7,7 +7,7 @@ import {upload} from "../api/upload";
 import {say, sayError} from "../scene/messages";
 import {isPicture, takePicture} from "../scene/upload";
 import {onServerRevision, isOpen, listScenes, openScene, run, scene} from "../scene/session";
-import {panel} from "../shell/places";
+import {panel} from "../shell/ui_state";
 import {PlanError, planOf, type Plan} from "./plan";
 import {brokenAssert} from "./asserts";
 import {stepsOf} from "./steps";

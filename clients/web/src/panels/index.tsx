@@ -1,7 +1,7 @@
 // The panels on the right, in the order of their tabs.
 import type {ComponentType} from "preact";
 import {useErrorBoundary} from "preact/hooks";
-import {panel} from "../shell/places";
+import {panel} from "../shell/ui_state";
 import {Icon, type Sign} from "../tools/icons";
 import {ToolPanel} from "../tools/tool_panel";
 import {CoatPanel} from "./coat";

@@ -6,7 +6,7 @@ import {run, scene} from "../scene/session";
 import {schemaOf} from "../tools/catalogue";
 import {Form} from "../tools/form";
 import {Icon} from "../tools/icons";
-import {panel} from "../shell/places";
+import {panel} from "../shell/ui_state";
 import {forbidden, membersOf} from "../tools/schema";
 import {current, setValue, valuesOf} from "../tools/state";
 import {masked, overlay} from "../view/quality";

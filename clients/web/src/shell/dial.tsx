@@ -9,7 +9,7 @@ import {schemas, type Range} from "../tools/schema";
 import {durationOf, measured, stopNames, stopOf, type Measure, type Stop} from "../view/measured";
 import {dial, trace_at_rest} from "../view/quality";
 import {dial_pictures, drawDialPictures} from "./dial_pictures";
-import {dialog} from "./places";
+import {dialog} from "./ui_state";
 
 const budget_ms = storedSignal("dial-budget", 500);
 const max_error = storedSignal("dial-error", 0.05);

@@ -1,6 +1,6 @@
 import {Dialog} from "./dialog";
 import {shortcuts} from "./keys";
-import {dialog} from "./places";
+import {dialog} from "./ui_state";
 
 const held = [["drag on fur", "use the tool"], ["drag beside it, or Alt+drag", "turn"], ["middle or right drag", "turn"], ["Shift+middle drag, Alt+Shift+drag", "move the picture"],
   ["wheel, pinch", "zoom"], ["two fingers", "turn on a trackpad; move and zoom on a screen"], ["Ctrl+drag", "the tool's opposite"], ["Shift+drag", "smooth"],

@@ -8,7 +8,7 @@ import {adjusting} from "../view/adjust";
 import {closePie, openPie} from "../view/pie_menu";
 import {pending_pick} from "../view/surface";
 import {focus, moveTo} from "../view/views";
-import {dialog, panel} from "./places";
+import {dialog, panel} from "./ui_state";
 
 interface Shortcut { keys: string; says: string; group: "Brush" | "Tools" | "View" | "Groom"; run: () => void }
 

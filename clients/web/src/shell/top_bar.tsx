@@ -8,7 +8,7 @@ import {Icon} from "../tools/icons";
 import {mirror} from "../tools/state";
 import {DialControl} from "./dial";
 import {toggleMirror} from "./keys";
-import {dialog, panel, theme} from "./places";
+import {dialog, panel, theme} from "./ui_state";
 
 const next_theme = {system: "dark", dark: "light", light: "system"} as const;
 

@@ -2,7 +2,7 @@
 import {storedSignal} from "../api/identity";
 import {makeSample, preparing, samples} from "../files/samples";
 import {scene} from "../scene/session";
-import {panel} from "./places";
+import {panel} from "./ui_state";
 
 const welcomed = storedSignal("welcomed", false);
 

@@ -25,7 +25,7 @@ interface Gizmo {
   moved?: (to: Vector) => Command;
   /** Moves it during the drag, too; replaces `moved`. */
   live?: (to: Vector, done: boolean) => void;
-  place?: (x: number, y: number) => Vector;
+  positionAt?: (x: number, y: number) => Vector;
   chosen?: boolean;
   text?: string;
   pressed?: () => void;
@@ -88,7 +88,7 @@ function lights(): Gizmo[] {
       if (done) live_lights.set(next, true);
     };
     return {name: `Light ${k + 1}`, shape: "light" as const, text: String(k + 1), at, to: ball.middle, live, chosen: k === chosen_light.value, pressed: () => { chosen_light.value = k; },
-            ...(directional ? {place: (x: number, y: number) => onBall(x, y, at, ball)} : {})};
+            ...(directional ? {positionAt: (x: number, y: number) => onBall(x, y, at, ball)} : {})};
   });
 }
 
@@ -114,7 +114,7 @@ function eyes(): Gizmo[] {
     const sized = (to: Vector, done: boolean) => put({radius: Math.min(0.2, Math.max(0.002, (norm(subtract(to, at)) - apart) / size))}, done);
     const chosen = k === chosen_eye.value;
     return [
-      {name, shape: "dot" as const, at, live: moved, place: onSkin, pressed, chosen},
+      {name, shape: "dot" as const, at, live: moved, positionAt: onSkin, pressed, chosen},
       {name: `Size of eye ${k + 1}`, shape: "star" as const, at: add(at, scale(above, radius + apart)), live: sized, pressed},
       ...(eye.look_at ? [] : [{name: `Where eye ${k + 1} looks`, shape: "arrow" as const, at: add(at, scale(gaze, 3 * radius + 2 * apart)), to: at, live: turned, pressed}]),
     ];
@@ -139,7 +139,7 @@ export function Gizmos() {
       </svg>
       {shown.map((gizmo) => (
         <Handle key={gizmo.name} at={dragged.value?.name === gizmo.name ? dragged.value.to : gizmo.at} shape={gizmo.shape} label={gizmo.name}
-                chosen={gizmo.chosen ?? false} {...(gizmo.text ? {text: gizmo.text} : {})} {...(gizmo.place ? {place: gizmo.place} : {})} {...(gizmo.pressed ? {pressed: gizmo.pressed} : {})}
+                chosen={gizmo.chosen ?? false} {...(gizmo.text ? {text: gizmo.text} : {})} {...(gizmo.positionAt ? {positionAt: gizmo.positionAt} : {})} {...(gizmo.pressed ? {pressed: gizmo.pressed} : {})}
                 moved={(to, done) => {
                   if (gizmo.live) return gizmo.live(to, done);
                   dragged.value = {name: gizmo.name, to};

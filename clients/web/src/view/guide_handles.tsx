@@ -24,7 +24,7 @@ function GuidesOf({op}: {op: GuideOp}) {
       <svg class="guide-lines" aria-hidden="true">{guides.map((points, g) => <polyline key={g} points={path(points)} />)}</svg>
       {guides.flatMap((points, g) => points.map((point, p) => (
         <Handle key={`${g}-${p}`} at={point} label={`${op === "flow" ? "Guide" : "Key"} ${g + 1}, point ${p + 1}; Delete removes it`}
-                chosen={chosen.value.guide === g} place={onSurface} pressed={() => { chosen.value = {guide: g, point: p}; }}
+                chosen={chosen.value.guide === g} positionAt={onSurface} pressed={() => { chosen.value = {guide: g, point: p}; }}
                 remove={() => void removeGuide(op, g)}
                 moved={(to, done) => {
                   dragged.value = {guide: g, point: p, to};

@@ -16,10 +16,10 @@ export interface HandleProps {
   pressed?: () => void;
   remove?: () => void;
   /** Returns the position for a pixel; without it, the handle keeps its distance from the camera. */
-  place?: (x: number, y: number) => Vector | null;
+  positionAt?: (x: number, y: number) => Vector | null;
 }
 
-export function Handle({at, label, shape = "dot", chosen = false, text, moved, pressed, remove, place}: HandleProps) {
+export function Handle({at, label, shape = "dot", chosen = false, text, moved, pressed, remove, positionAt}: HandleProps) {
   const dragging = useRef(false);
   const last = useRef(at);
   const start = useRef(at);
@@ -30,7 +30,7 @@ export function Handle({at, label, shape = "dot", chosen = false, text, moved, p
     const box = (event.currentTarget as HTMLElement).parentElement!.getBoundingClientRect();
     const [x, y] = [event.clientX - box.left, event.clientY - box.top];
     const ray = projection.ray(x, y);
-    return place?.(x, y) ?? add(ray.origin, scale(ray.direction, projection.distanceTo(at)));
+    return positionAt?.(x, y) ?? add(ray.origin, scale(ray.direction, projection.distanceTo(at)));
   };
   const down = (event: PointerEvent) => {
     event.stopPropagation();
@@ -58,7 +58,7 @@ export function Handle({at, label, shape = "dot", chosen = false, text, moved, p
     event.stopPropagation();
     const [x, y] = [pixel[0] + step[0], pixel[1] + step[1]];
     const ray = projection.ray(x, y);
-    moved(place?.(x, y) ?? add(ray.origin, scale(ray.direction, projection.distanceTo(at))), true);
+    moved(positionAt?.(x, y) ?? add(ray.origin, scale(ray.direction, projection.distanceTo(at))), true);
   };
   return (
     <button type="button" class={`handle handle-${shape}${chosen ? " handle-chosen" : ""}`} aria-label={label} title={label}

@@ -7,7 +7,7 @@ import type {FrameRequest} from "../api/types";
 import {sayError} from "../scene/messages";
 import {scene} from "../scene/session";
 import {Dialog} from "../shell/dialog";
-import {dialog} from "../shell/places";
+import {dialog} from "../shell/ui_state";
 import {orbit, pinholeOf} from "./camera";
 import {differenceOf, full_scale, type Difference} from "./difference";
 import {durationOf, millisecondsOf} from "./measured";

@@ -94,7 +94,7 @@ class View {
 
   private toolDown(event: PointerEvent) {
     const hit = furAt(event.offsetX, event.offsetY), skin = skinAt(event.offsetX, event.offsetY);
-    if (pending_pick.value) return this.place(skin, [event.offsetX, event.offsetY]);
+    if (pending_pick.value) return this.passPick(skin, [event.offsetX, event.offsetY]);
     if (!hit) return;
     this.pointer = [event.offsetX, event.offsetY];
     const press = {hit, skin, projection: projectionNow(), orbit: seen_orbit.value, time: event.timeStamp};
@@ -119,7 +119,7 @@ class View {
   }
 
   /** Passes a press to the panel that waits for a position. */
-  private place(skin: Hit | null, pixel: [number, number]) {
+  private passPick(skin: Hit | null, pixel: [number, number]) {
     const request = pending_pick.value;
     if (!request || !skin) return;
     pending_pick.value = null;

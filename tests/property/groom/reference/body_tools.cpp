@@ -15,10 +15,10 @@ Reach reach(const Body& body, DistanceKind kind, const std::vector<Corner>& corn
   return kind == DistanceKind::straight ? reach_through_space(body, corners) : reach_along_edges(body, corners);
 }
 
-/// Adds the corners around the surface point nearest to `place`. Each gets the tangent part of the unit vector `way`,
-/// scaled to `length`.
-void add_corners(const Body& body, dvec3 place, dvec3 way, double length, bool all, std::vector<Corner>& corners) {
-  const SurfacePoint nearest = body.surface.nearest(place);
+/// Adds the corners around the surface point nearest to `position`. Each gets the tangent part of the unit vector
+/// `way`, scaled to `length`.
+void add_corners(const Body& body, dvec3 position, dvec3 way, double length, bool all, std::vector<Corner>& corners) {
+  const SurfacePoint nearest = body.surface.nearest(position);
   const dvec3 there = body.surface.position(nearest);
   for (const Vertex v : corners_of(body, nearest)) {
     const dvec2 part = body.in_frame(v, way);

@@ -14,25 +14,25 @@ constexpr double pi = 3.14159265358979323846;
 
 /// The stroke's camera. The tests always give its position themselves.
 struct Eye {
-  dvec3 place, right, up, forward;
+  dvec3 position, right, up, forward;
   double half = 0;  // half of the picture's height at distance 1
 };
 
 Eye eye_of(const View& view, const Body& body) {
   Eye eye;
-  eye.place = body.inside(view.camera.position);
-  eye.forward = unit(body.inside(view.camera.target) - eye.place);
+  eye.position = body.inside(view.camera.position);
+  eye.forward = unit(body.inside(view.camera.target) - eye.position);
   eye.right = unit(glm::cross(eye.forward, view.camera.up));
   eye.up = glm::cross(eye.right, eye.forward);
   eye.half = std::tan(glm::radians(view.camera.fov_degrees) / 2);
   return eye;
 }
 
-double radius_at(dvec3 place, const Stroke& stroke, const Brush& brush, const Body& body) {
+double radius_at(dvec3 position, const Stroke& stroke, const Brush& brush, const Body& body) {
   if (brush.units == RadiusUnits::relative) return brush.radius;
   if (brush.units == RadiusUnits::world) return brush.radius / body.surface.mesh().size;
   const Eye eye = eye_of(*stroke.view, body);
-  const double depth = std::max(0.0, glm::dot(place - eye.place, eye.forward));
+  const double depth = std::max(0.0, glm::dot(position - eye.position, eye.forward));
   return brush.radius * 2 * eye.half * depth / stroke.view->height;
 }
 
@@ -40,8 +40,8 @@ double radius_at(dvec3 place, const Stroke& stroke, const Brush& brush, const Bo
 Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stroke& stroke, const Brush& brush,
               const Body& body) {
   Print print;
-  print.centre = glm::mix(place_of(a, body), place_of(b, body), t);
-  if (std::holds_alternative<SurfaceSample>(a.place) && std::holds_alternative<SurfaceSample>(b.place))
+  print.centre = glm::mix(position_of(a, body), position_of(b, body), t);
+  if (std::holds_alternative<SurfaceSample>(a.position) && std::holds_alternative<SurfaceSample>(b.position))
     print.centre = body.surface.position(body.surface.nearest(print.centre));
   print.pressure = (1 - t) * a.pressure + t * b.pressure;
   const double kept = 1 - brush.pressure_to_radius + brush.pressure_to_radius * print.pressure;
@@ -66,8 +66,8 @@ std::vector<double> distances_of(const Print& print, const Stroke& stroke, const
   } else {
     const Eye eye = eye_of(*stroke.view, body);
     const auto seen = [&](dvec3 p) {
-      const double depth = glm::dot(p - eye.place, eye.forward);
-      return dvec3(glm::dot(p - eye.place, eye.right) / depth, glm::dot(p - eye.place, eye.up) / depth, depth);
+      const double depth = glm::dot(p - eye.position, eye.forward);
+      return dvec3(glm::dot(p - eye.position, eye.right) / depth, glm::dot(p - eye.position, eye.up) / depth, depth);
     };
     const dvec3 middle = seen(print.centre);
     for (Vertex v = 0; v < body.size(); ++v) {
@@ -81,13 +81,13 @@ std::vector<double> distances_of(const Print& print, const Stroke& stroke, const
 
 }  // namespace
 
-dvec3 place_of(const StrokeSample& sample, const Body& body) {
-  if (const auto* position = std::get_if<PositionSample>(&sample.place)) return body.inside(position->position);
+dvec3 position_of(const StrokeSample& sample, const Body& body) {
+  if (const auto* in_space = std::get_if<PositionSample>(&sample.position)) return body.inside(in_space->position);
   // The tools compute exactly this, to the last bit: dabs between two samples often lie on an edge, where the last bit
   // decides in which triangle the march along the surface begins.
-  const auto& place = std::get<SurfaceSample>(sample.place);
-  const double sum = place.barycentric.x + place.barycentric.y + place.barycentric.z;
-  return body.surface.position({place.triangle, place.barycentric / sum});
+  const auto& on_skin = std::get<SurfaceSample>(sample.position);
+  const double sum = on_skin.barycentric.x + on_skin.barycentric.y + on_skin.barycentric.z;
+  return body.surface.position({on_skin.triangle, on_skin.barycentric / sum});
 }
 
 std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Body& body, bool begin) {
@@ -95,7 +95,7 @@ std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Bod
   std::vector<Print> prints;
   if (samples.empty()) return prints;
   Print first = between(samples[0], samples[0], 0, stroke, brush, body);
-  const dvec3 start = place_of(samples[0], body);
+  const dvec3 start = position_of(samples[0], body);
   const double radius = radius_at(start, stroke, brush, body), step = brush.spacing * radius;
   dvec3 last = start;
   double before = 0;  // arc length up to the sample
@@ -106,7 +106,7 @@ std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Bod
     prints.push_back(print);
   };
   for (std::size_t i = 1; i < samples.size() && step > 0; ++i) {
-    const double piece = glm::distance(place_of(samples[i - 1], body), place_of(samples[i], body));
+    const double piece = glm::distance(position_of(samples[i - 1], body), position_of(samples[i], body));
     for (double k = static_cast<double>(prints.size()) + 1; k * step <= before + piece; ++k) {
       const double t = std::clamp((k * step - before) / piece, 0.0, 1.0);
       put(between(samples[i - 1], samples[i], t, stroke, brush, body), step);
@@ -155,7 +155,7 @@ std::vector<double> weights_of(const Print& print, const Stroke& stroke, const B
   const double cosine = std::cos(brush.cut_off_degrees * pi / 180);
   const double pressure = 1 - brush.pressure_to_strength + brush.pressure_to_strength * print.pressure;
   for (Vertex v = 0; v < body.size(); ++v) {
-    const dvec3 front = stroke.view ? unit(eye_of(*stroke.view, body).place - body.positions[v]) : skin;
+    const dvec3 front = stroke.view ? unit(eye_of(*stroke.view, body).position - body.positions[v]) : skin;
     const double lift = standing ? nearest_of(standing->strands[v], print.centre).lift : 0;
     if (brush.front_faces_only && glm::dot(front, body.normals[v]) <= cosine - 2 * lift) continue;
     weights[v] = brush.strength * pressure * falloff_at(brush, distances[v]);
@@ -185,14 +185,14 @@ std::vector<double> restriction_of(const std::optional<Stroke>& stroke, const Br
   return region_of(stroke, stroke ? brush : whole, stage, fur);
 }
 
-dvec3 nearest_of_path(const Stroke& stroke, const Body& body, dvec3 place) {
-  dvec3 best = place_of(stroke.samples[0], body);
+dvec3 nearest_of_path(const Stroke& stroke, const Body& body, dvec3 position) {
+  dvec3 best = position_of(stroke.samples[0], body);
   for (std::size_t i = 1; i < stroke.samples.size(); ++i) {
-    const dvec3 a = place_of(stroke.samples[i - 1], body), ab = place_of(stroke.samples[i], body) - a;
+    const dvec3 a = position_of(stroke.samples[i - 1], body), ab = position_of(stroke.samples[i], body) - a;
     const double whole = glm::dot(ab, ab);
     if (whole == 0) continue;
-    const dvec3 there = a + std::clamp(glm::dot(place - a, ab) / whole, 0.0, 1.0) * ab;
-    if (glm::distance(place, there) < glm::distance(place, best)) best = there;
+    const dvec3 there = a + std::clamp(glm::dot(position - a, ab) / whole, 0.0, 1.0) * ab;
+    if (glm::distance(position, there) < glm::distance(position, best)) best = there;
   }
   return best;
 }

@@ -38,9 +38,9 @@ double falloff_at(const Brush& brush, double distance);
 double strand_part(const Brush& brush, Field field);
 
 /// Position of a sample, in internal coordinates.
-dvec3 place_of(const StrokeSample& sample, const Body& body);
+dvec3 position_of(const StrokeSample& sample, const Body& body);
 
-/// The point nearest to `place` on the straight lines between samples.
-dvec3 nearest_of_path(const Stroke& stroke, const Body& body, dvec3 place);
+/// The point nearest to `position` on the straight lines between samples.
+dvec3 nearest_of_path(const Stroke& stroke, const Body& body, dvec3 position);
 
 }  // namespace pelage::plain

@@ -16,13 +16,13 @@ constexpr double never = std::numeric_limits<double>::infinity();
 double over_side(dvec3 a, dvec3 b, dvec3 c, double da, double db) {
   const double side = glm::distance(a, b);
   const dvec3 x = (b - a) / side;
-  const dvec2 place(glm::dot(c - a, x), glm::length(glm::cross(x, c - a)));
+  const dvec2 position(glm::dot(c - a, x), glm::length(glm::cross(x, c - a)));
   const double source_x = (da * da - db * db + side * side) / (2 * side), under = da * da - source_x * source_x;
   const bool on_side = std::abs(under) < 1e-12 * (da * da + db * db + side * side);  // within rounding
-  if ((under < 0 && !on_side) || place.y <= 0) return never;
+  if ((under < 0 && !on_side) || position.y <= 0) return never;
   const dvec2 source(source_x, on_side ? 0 : -std::sqrt(under));
-  const double crossing = source.x + (place.x - source.x) * (0 - source.y) / (place.y - source.y);
-  return crossing < 0 || crossing > side ? never : glm::distance(source, place);
+  const double crossing = source.x + (position.x - source.x) * (0 - source.y) / (position.y - source.y);
+  return crossing < 0 || crossing > side ? never : glm::distance(source, position);
 }
 
 /// The vertex with the smallest distance that is not final; any final one if all are.
@@ -36,10 +36,10 @@ Vertex nearest_open(const std::vector<double>& distances, const std::vector<bool
 
 }  // namespace
 
-std::set<Vertex> corners_of(const Body& body, const SurfacePoint& place) {
+std::set<Vertex> corners_of(const Body& body, const SurfacePoint& point) {
   std::set<Vertex> holders, corners;
   for (int k = 0; k < 3; ++k) {
-    if (place.barycentric[k] > 1e-6) holders.insert(body.triangles[place.triangle][static_cast<std::size_t>(k)]);
+    if (point.barycentric[k] > 1e-6) holders.insert(body.triangles[point.triangle][static_cast<std::size_t>(k)]);
   }
   if (holders.size() == 1) return holders;
   for (const auto& triangle : body.triangles) {

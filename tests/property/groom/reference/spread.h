@@ -20,7 +20,7 @@ struct Corner {
 
 /// Corners of all triangles that contain the point: of several triangles on an edge, one vertex alone if the point is a
 /// vertex.
-std::set<Vertex> corners_of(const Body& body, const SurfacePoint& place);
+std::set<Vertex> corners_of(const Body& body, const SurfacePoint& point);
 
 /// Shortest paths along edges (Bellman and Ford); the vector is transported from vertex to vertex.
 Reach reach_along_edges(const Body& body, const std::vector<Corner>& corners);

@@ -11,7 +11,7 @@ constexpr double standing_pi = 3.14159265358979323846;
 
 }  // namespace
 
-dvec2 lean_place(const Coat& coat, double inclination, double s) {
+dvec2 lean_position(const Coat& coat, double inclination, double s) {
   const double tip = inclination * standing_pi / 2, a0 = coat.root_share * tip, a = tip - a0;
   if (a < 1e-7) return s * dvec2(std::sin(a0), std::cos(a0));
   const double chord = s * std::sin(a * s / 2) / (a * s / 2);
@@ -36,23 +36,23 @@ std::optional<Standing> standing_of(const Brush& brush, const Stage& stage, cons
     Standing::Strand& strand = standing.strands.emplace_back();
     strand[0] = {stage.body.positions[v], 0};
     for (std::size_t k = 1; k < strand.size(); ++k) {
-      const dvec2 place = lean_place(stage.coat, std::min(glm::length(lean), 1.0), static_cast<double>(k) / 8);
-      const dvec3 offset = place.x * sideways + place.y * stage.body.normals[v];
-      strand[k] = {stage.body.positions[v] + fur.number(Field::length, v) * offset, place.y};
+      const dvec2 position = lean_position(stage.coat, std::min(glm::length(lean), 1.0), static_cast<double>(k) / 8);
+      const dvec3 offset = position.x * sideways + position.y * stage.body.normals[v];
+      strand[k] = {stage.body.positions[v] + fur.number(Field::length, v) * offset, position.y};
     }
   }
   return standing;
 }
 
-Standing::Place nearest_of(const Standing::Strand& strand, dvec3 place) {
-  Standing::Place nearest = strand[0];
+Standing::StrandPoint nearest_of(const Standing::Strand& strand, dvec3 position) {
+  Standing::StrandPoint nearest = strand[0];
   for (std::size_t k = 1; k < strand.size(); ++k) {
     const dvec3 start = strand[k - 1].at, piece = strand[k].at - start;
     const double square = glm::dot(piece, piece);
     if (square == 0) continue;
-    const double t = std::clamp(glm::dot(place - start, piece) / square, 0.0, 1.0);
-    const Standing::Place here{start + t * piece, (1 - t) * strand[k - 1].lift + t * strand[k].lift};
-    if (glm::distance(here.at, place) < glm::distance(nearest.at, place)) nearest = here;
+    const double t = std::clamp(glm::dot(position - start, piece) / square, 0.0, 1.0);
+    const Standing::StrandPoint here{start + t * piece, (1 - t) * strand[k - 1].lift + t * strand[k].lift};
+    if (glm::distance(here.at, position) < glm::distance(nearest.at, position)) nearest = here;
   }
   return nearest;
 }

@@ -10,21 +10,21 @@
 namespace pelage::plain {
 
 /// Position on a strand of length 1 at arc length `s`: across and up (science.md 2).
-dvec2 lean_place(const Coat& coat, double inclination, double s);
+dvec2 lean_position(const Coat& coat, double inclination, double s);
 
 struct Standing {
-  struct Place {
+  struct StrandPoint {
     dvec3 at;
     double lift;  // height over the skin, in strand lengths
   };
-  using Strand = std::array<Place, 9>;
+  using Strand = std::array<StrandPoint, 9>;
   std::vector<Strand> strands;  // by vertex; each from root to tip
 };
 
 /// Returns the strands if the brush reaches fur, and nothing if it reaches skin.
 std::optional<Standing> standing_of(const Brush& brush, const Stage& stage, const Fur& fur);
 
-/// The point of a strand that is nearest to `place`.
-Standing::Place nearest_of(const Standing::Strand& strand, dvec3 place);
+/// The point of a strand that is nearest to `position`.
+Standing::StrandPoint nearest_of(const Standing::Strand& strand, dvec3 position);
 
 }  // namespace pelage::plain

@@ -6,19 +6,19 @@ namespace pelage::plain {
 
 namespace {
 
-/// A mirror image or a rotation; it maps positions (`place` true) or directions.
+/// A mirror image or a rotation; it maps positions (`is_position` true) or directions.
 struct Image {
   bool mirror = false;
   Plane plane;
   dvec3 axis_point{0}, axis{0};
   double angle = 0;
 
-  dvec3 operator()(dvec3 p, bool place) const {
+  dvec3 operator()(dvec3 p, bool is_position) const {
     if (mirror) {
-      const dvec3 n = unit(plane.normal), from = place ? plane.point : dvec3(0);
+      const dvec3 n = unit(plane.normal), from = is_position ? plane.point : dvec3(0);
       return p - 2 * glm::dot(p - from, n) * n;
     }
-    const dvec3 k = unit(axis), from = place ? axis_point : dvec3(0), q = p - from;
+    const dvec3 k = unit(axis), from = is_position ? axis_point : dvec3(0), q = p - from;
     return from + q * std::cos(angle) + glm::cross(k, q) * std::sin(angle) + k * glm::dot(k, q) * (1 - std::cos(angle));
   }
 };
@@ -48,36 +48,37 @@ std::vector<std::vector<Image>> chains_of(const Symmetry& symmetry) {
 struct Move {
   const Image& image;
 
-  void place(dvec3& p) const { p = image(p, true); }
+  void move_point(dvec3& p) const { p = image(p, true); }
   void direction(dvec3& d) const { d = image(d, false); }
 
   template <class Tool>
   void operator()(Tool& tool) const {
     if constexpr (requires { tool.stroke; }) {
       if (tool.stroke) {
-        for (StrokeSample& sample : tool.stroke->samples) place(std::get<PositionSample>(sample.place).position);
+        for (StrokeSample& sample : tool.stroke->samples)
+          move_point(std::get<PositionSample>(sample.position).position);
       }
     }
-    if constexpr (requires { tool.source; }) place(tool.source), direction(tool.direction);
-    if constexpr (requires { tool.point; }) place(tool.point);
+    if constexpr (requires { tool.source; }) move_point(tool.source), direction(tool.direction);
+    if constexpr (requires { tool.point; }) move_point(tool.point);
     if constexpr (requires { tool.turn_degrees; }) tool.turn_degrees *= image.mirror ? -1 : 1;
     if constexpr (requires { tool.keys; }) {
       for (Key& key : tool.keys) {
-        place(key.position);
+        move_point(key.position);
         if (key.direction) direction(*key.direction);
       }
     }
     if constexpr (requires { tool.curves; }) {
       for (auto& curve : tool.curves) {
-        for (dvec3& p : curve) place(p);
+        for (dvec3& p : curve) move_point(p);
       }
     }
     if constexpr (std::is_same_v<Tool, Unify>) {
       if (tool.direction) direction(*tool.direction);
     }
     if constexpr (std::is_same_v<Tool, Trim>) {
-      if (auto* plane = std::get_if<TrimPlane>(&tool.shape)) place(plane->point), direction(plane->normal);
-      if (auto* sphere = std::get_if<TrimSphere>(&tool.shape)) place(sphere->centre);
+      if (auto* plane = std::get_if<TrimPlane>(&tool.shape)) move_point(plane->point), direction(plane->normal);
+      if (auto* sphere = std::get_if<TrimSphere>(&tool.shape)) move_point(sphere->centre);
     }
   }
 };

@@ -114,8 +114,8 @@ void apply(const Part& command, const Stage& stage, Fur& fur) {
   if (command.stroke->samples.empty()) return;
   const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
-    const dvec3 place = stage.body.positions[v];
-    dvec3 away = unit(place - nearest_of_path(*command.stroke, stage.body, place));
+    const dvec3 position = stage.body.positions[v];
+    dvec3 away = unit(position - nearest_of_path(*command.stroke, stage.body, position));
     if (command.brush.invert) away = -away;
     set_direction(fur, v, turned_to(stage.body, v, fur.direction(v), away, command.lean, region[v]));
   }
@@ -149,8 +149,8 @@ void apply(const Clump& command, const Stage& stage, Fur& fur) {
   if (command.stroke->samples.empty()) return;
   const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
   for (Vertex v = 0; v < stage.body.size(); ++v) {
-    const dvec3 place = stage.body.positions[v];
-    dvec3 middle = unit(nearest_of_path(*command.stroke, stage.body, place) - place);
+    const dvec3 position = stage.body.positions[v];
+    dvec3 middle = unit(nearest_of_path(*command.stroke, stage.body, position) - position);
     if (command.brush.invert) middle = -middle;
     const double lean = std::max(0.5, glm::length(fur.direction(v)));
     set_direction(fur, v, turned_to(stage.body, v, fur.direction(v), middle, lean, command.gather * region[v]));

@@ -61,8 +61,8 @@ void disturb(const Noise& command, const Body& body, Field field, double amount,
   }
 }
 
-/// Tells whether fur may be at a position. `root` and `place` are in internal coordinates, `up` is the height over the
-/// skin.
+/// Tells whether fur may be at a position. `root` and `position` are in internal coordinates, `up` is the height over
+/// the skin.
 class Allowed {
  public:
   Allowed(const Trim& command, const Body& body) : command_(command), body_(body) {}
@@ -70,12 +70,12 @@ class Allowed {
   bool root(dvec3 root) const { return std::holds_alternative<double>(command_.shape) || beyond(root, 0) < 0; }
 
   /// How far a position is beyond the shape; 0 on its border, negative inside.
-  double beyond(dvec3 place, double up) const {
+  double beyond(dvec3 position, double up) const {
     if (const auto* plane = std::get_if<TrimPlane>(&command_.shape))
-      return glm::dot(place - body_.inside(plane->point), unit(plane->normal));
+      return glm::dot(position - body_.inside(plane->point), unit(plane->normal));
     if (const auto* sphere = std::get_if<TrimSphere>(&command_.shape)) {
       const double out =
-          glm::distance(place, body_.inside(sphere->centre)) - body_.sizes(sphere->radius, command_.units);
+          glm::distance(position, body_.inside(sphere->centre)) - body_.sizes(sphere->radius, command_.units);
       return sphere->keep_inside ? out : -out;
     }
     return up - body_.sizes(std::get<double>(command_.shape), command_.units);
@@ -191,9 +191,9 @@ void apply(const Trim& command, const Stage& stage, Fur& fur) {
     const double inclination = std::min(1.0, glm::length(fur.direction(v)));
     const dvec3 sideways = unit(body.in_space(v, fur.direction(v)));
     for (int k = 1; k <= 8; ++k) {
-      const dvec2 place = lean_place(stage.coat, inclination, k / 8.0);
-      cut = std::min(cut,
-                     longest(allowed, body.positions[v], place.x * sideways + place.y * body.normals[v], place.y, cut));
+      const dvec2 position = lean_position(stage.coat, inclination, k / 8.0);
+      cut = std::min(cut, longest(allowed, body.positions[v], position.x * sideways + position.y * body.normals[v],
+                                  position.y, cut));
     }
     length += region[v] * (cut - length);
   }

@@ -1,4 +1,4 @@
-#include "server/scene/farthest_place.h"
+#include "server/scene/farthest_point.h"
 
 #include <array>
 #include <limits>
@@ -15,7 +15,7 @@ struct Corner {
 
 struct HalfSpace {
   int axis;
-  double side, bound;  // inside: side * place[axis] <= side * bound
+  double side, bound;  // inside: side * position[axis] <= side * bound
 
   double depth(glm::dvec3 position) const { return side * (bound - position[axis]); }
 };
