@@ -77,6 +77,23 @@ test("drafts are smaller while the server is slow, and as large as the canvas wh
   await studio.finish();
 });
 
+test("an opened scene is drawn from where its view stays", async () => {
+  const studio = await openStudio({scene: id, before: () => {
+    const send = window.fetch;
+    window.drawn = [];
+    window.fetch = (path, ...rest) => {
+      const {view = "", camera} = /\/frames/.test(path) ? JSON.parse(rest[0].body) : {};
+      if (view && !view.endsWith("-tool")) window.drawn.push(JSON.stringify(camera));
+      return send(path, ...rest);
+    };
+  }});
+  await studio.seen("rest");
+  const drawn = await studio.page.evaluate(() => window.drawn);
+  assert.ok(drawn.length > 1);
+  assert.equal(new Set(drawn).size, 1, drawn.join("\n"));
+  await studio.finish();
+});
+
 test("never more than two frames are in flight", async () => {
   const studio = await openStudio({scene: id, before: () => {
     const send = window.fetch;

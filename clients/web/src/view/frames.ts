@@ -59,6 +59,7 @@ export class FrameLoop {
   private pace = new Pace();
   private news = false;
   private timer = 0;
+  private pump_planned = false;
   private in_flight = new Set<InFlightRequest>();
 
   /** `view_state` returns what to draw, or null; `present` puts a picture on the screen. */
@@ -75,7 +76,17 @@ export class FrameLoop {
     if (moving || turning) this.moving_until = performance.now() + rest_after;
     if (turning) this.turning_until = this.moving_until;
     for (const request of this.in_flight) if (request.stage === "rest" || request.stage === "traced") request.stop.abort();
-    this.pump();
+    this.pumpSoon();
+  }
+
+  /** Pumps once for all signals that change together, such as a scene and its first camera. */
+  private pumpSoon() {
+    if (this.pump_planned) return;
+    this.pump_planned = true;
+    queueMicrotask(() => {
+      this.pump_planned = false;
+      this.pump();
+    });
   }
 
   /** Drops the picture and all requests, because they show another scene or model. */

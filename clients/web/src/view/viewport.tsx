@@ -191,6 +191,7 @@ function follow(shown: View): () => void {
   const touch = () => shown.frames.touch();
   const stops = [
     when(() => shown_model.value, () => shown.forget()),
+    when(() => model_id.value, () => moveTo("three_quarter", true)),
     followModel(),
     when(() => [revision.value, shown_model.value], touch),
     when(() => [dial.value, rest_quality.value, shared_request.value, compared.value], () => shown.frames.touch({moving: playing.value})),
@@ -199,7 +200,6 @@ function follow(shown: View): () => void {
     when(() => trial.value, () => shown.frames.touch({moving: trial.value !== null})),
     when(() => viewport_size.value, () => { touch(); shown.sketchSoon(); }),
     when(() => [brush.value, in_hand.value, hand_symmetry.value, current.value, log.value, set_values.value, proxy.value, seen_orbit.value], () => shown.sketchSoon()),
-    when(() => model_id.value, () => moveTo("three_quarter", true)),
   ];
   return () => stops.forEach((stop) => stop());
 }
