@@ -88,7 +88,7 @@ def is_binary(operation: Operation) -> bool:
     """Returns whether the response is binary, so that it goes to a file instead of the terminal."""
     answer = operation.about["responses"].get("200", {})
     kind = next(iter(answer.get("content", {})), "image/png" if "$ref" in answer and operation.method == "GET" else "")
-    return kind.startswith(("image/", "model/")) or operation.id == "drawFrame"
+    return kind.startswith(("image/", "model/", "application/x-npy")) or operation.id == "drawFrame"
 
 
 def body_example(operation: Operation) -> Optional[Any]:
