@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 started=$SECONDS
-export CCACHE_BASEDIR="$PWD"  # a clean checkout elsewhere finds what was compiled here
+export CCACHE_BASEDIR="$PWD"  # a clean checkout elsewhere finds a part of what was compiled here
 deploy/packages.sh test
 jobs=$(nproc)
 echo "build: optimised, with tests, in build/tests"

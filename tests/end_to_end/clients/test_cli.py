@@ -15,10 +15,9 @@ import unittest
 from PIL import Image
 
 from support.nightly import nightly
-from support.server import BIN, ServedTest, comb, flood, shared_folder
+from support.server import BIN, THIN_COAT, ServedTest, comb, flood, shared_folder
 
 
-THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 
 
 class Client(ServedTest):

@@ -14,13 +14,12 @@ import numpy
 from PIL import Image
 
 from support.nightly import nightly
-from support.server import BIN, REPOSITORY, Server
+from support.server import BIN, REPOSITORY, THIN_COAT, Server
 
 EXAMPLES = REPOSITORY / "clients" / "python" / "examples"
 WEB_PACKAGES = REPOSITORY / "clients" / "web" / "node_modules"
 SMALL = ("--quality", "draft", "--size", "64")
 TETRAHEDRON = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
-THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 RECIPE = {"variables": {"fur": 0.02}, "steps": [THIN_COAT, {"op": "length", "flood": True, "value": "${fur}"}]}
 LONG = {"op": "length", "flood": True, "mode": "scale", "value": 2}
 

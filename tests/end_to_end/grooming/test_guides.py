@@ -2,9 +2,7 @@
 
 import io
 import json
-import tempfile
 import unittest
-from pathlib import Path
 
 import numpy
 

@@ -9,11 +9,10 @@ import tempfile
 import numpy
 
 from support.nightly import nightly
-from support.server import REPOSITORY, ServedTest, shared_folder
+from support.server import REPOSITORY, THIN_COAT, ServedTest, shared_folder
 
 DEMO = REPOSITORY / "deploy" / "demo_groom.py"
 FRAME = {"width": 192, "height": 192, "background": "transparent"}
-THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 
 
 def demo_steps(info):

@@ -6,12 +6,11 @@ import tempfile
 
 import numpy
 
-from support.server import ServedTest, flood
+from support.server import THIN_COAT, ServedTest, flood
 
 SIZE = {"camera": {"auto": "front"}, "width": 96, "height": 96}
 DRAFT = {**SIZE, "quality": "draft"}
 COMB = flood([0, 1, 0], lean=0.8, brush={"strength": 0.5})
-THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 BREEZE = {"op": "set_wind", "wind": {"speed": 0.8, "direction": [1, 0, 0], "turbulence_scale": 0.2}}
 
 

@@ -11,8 +11,8 @@ import zlib
 from PIL import Image
 
 from support.nightly import nightly
-from support.jobs import JOB, THIN_COAT, JobTest
-from support.server import BIN, REPOSITORY, ServedTest, flood, shared_folder
+from support.jobs import JOB, JobTest
+from support.server import BIN, REPOSITORY, THIN_COAT, ServedTest, flood, shared_folder
 
 sys.path.insert(0, str(REPOSITORY / "clients" / "python"))
 from pelage.farm.exr import read_header  # noqa: E402

@@ -13,8 +13,7 @@ import unittest.mock
 import numpy
 
 from support.exr import attributes_of, read_exr
-from support.jobs import THIN_COAT
-from support.server import ServedTest, Server
+from support.server import THIN_COAT, ServedTest, Server
 
 FRAME = {"width": 128, "height": 128, "background": "transparent", "camera": {"auto": "left"}, "format": "exr", "exr_type": "float"}
 TRACED = {"method": "strands", "trace": {"passes": 16, "filter": False}}  # which only beauty and alpha pass through

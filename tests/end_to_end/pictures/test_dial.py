@@ -9,8 +9,7 @@ import time
 import unittest
 
 from support.contract import named
-from support.jobs import THIN_COAT
-from support.server import BIN, Server, ServedTest, lines_of
+from support.server import BIN, THIN_COAT, Server, ServedTest, lines_of
 
 
 def header(answer, name):

@@ -6,9 +6,8 @@ from pathlib import Path
 
 import numpy
 
-from support.jobs import THIN_COAT
 from support.pictures import exr, hdr, png
-from support.server import ServedTest
+from support.server import THIN_COAT, ServedTest
 
 RED_AND_BLUE = numpy.zeros((8, 16, 3))
 RED_AND_BLUE[:, :8, 0] = RED_AND_BLUE[:, 8:, 2] = 1

@@ -4,9 +4,8 @@ import unittest
 
 import numpy
 
-from support.jobs import THIN_COAT
 from support.nightly import nightly
-from support.server import Server, ServedTest, comb
+from support.server import THIN_COAT, Server, ServedTest, comb
 
 
 class FirstLight:

@@ -8,8 +8,7 @@ import numpy
 from PIL import Image
 
 from support.exr import attributes_of, read_exr
-from support.jobs import THIN_COAT
-from support.server import BIN, ServedTest
+from support.server import BIN, THIN_COAT, ServedTest
 
 CAMERA = {"position": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
 NAMES = ("beauty", "alpha", "depth", "position", "normal", "tangent", "albedo", "direct", "shadow", "sample_count",

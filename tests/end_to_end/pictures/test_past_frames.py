@@ -7,10 +7,9 @@ import threading
 import unittest
 
 from support.exr import attributes_of, read_exr
-from support.jobs import THIN_COAT
 from support.nightly import nightly
 from support.pictures import png
-from support.server import ServedTest, comb, flood
+from support.server import THIN_COAT, ServedTest, comb, flood
 
 VIEW = {"camera": {"auto": "front"}, "width": 96, "height": 96, "quality": "draft"}
 RED = {"op": "paint", "field": "tip_colour", "colour": "#ff0000", "flood": True}

@@ -7,9 +7,8 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy
 
-from support.jobs import THIN_COAT
 from support.nightly import nightly
-from support.server import Server, ServedTest, flood
+from support.server import THIN_COAT, Server, ServedTest, flood
 
 SIZE = {"width": 96, "height": 96}
 ROUNDS = 400  # requests that a loop makes at most

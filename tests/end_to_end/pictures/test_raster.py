@@ -5,9 +5,8 @@ import unittest
 import numpy
 
 from support.exr import read_exr
-from support.jobs import THIN_COAT
 from support.nightly import nightly
-from support.server import ServedTest, Server, comb, flood, shared_server
+from support.server import THIN_COAT, ServedTest, Server, comb, flood, shared_server
 
 ALL = {"method": "raster", "raster": {"strands": 1000, "light_of": 1}}
 VIEW = {"camera": {"auto": "front"}, "width": 160, "height": 120, "quality": {"method": "raster"}}

@@ -8,9 +8,8 @@ from pathlib import Path
 import numpy
 from PIL import Image
 
-from support.jobs import THIN_COAT
 from support.pictures import hdr, png
-from support.server import ServedTest
+from support.server import THIN_COAT, ServedTest
 
 RED_AND_BLUE = numpy.zeros((8, 16, 3))
 RED_AND_BLUE[:, :8, 0] = RED_AND_BLUE[:, 8:, 2] = 255

@@ -8,11 +8,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from support.server import BIN
+from support.server import BIN, THIN_COAT
 
 JOB = {"builtin": {"builtin": "sphere", "triangles": 500}, "frames": "1-6", "fps": 24, "output": "out/ball.###.png",
        "frame": {"width": 48, "height": 40, "quality": "draft"}, "turntable": {"degrees": 360}}
-THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 
 
 class JobTest(unittest.TestCase):

@@ -21,6 +21,7 @@ from PIL import Image
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 BIN = pathlib.Path(os.environ.get("PELAGE_BIN", REPOSITORY / "build" / "release" / "bin"))
 START_SECONDS = 120  # sanitizers and a loaded machine
+THIN_COAT = {"op": "set_coat", "coat": {"count": 500}}  # it grows at once
 
 
 def shared_folder():
@@ -168,7 +169,7 @@ class Scene:
 
     def thin_out(self):
         """Leaves few strands: its first frame, which grows them, and its exports take little time."""
-        answer = self.run({"op": "set_coat", "coat": {"count": 100}})
+        answer = self.run(THIN_COAT)
         assert answer.status == 200, answer
 
     def frame(self, **request):
