@@ -8,7 +8,7 @@ build=(build-essential cmake ninja-build pkg-config ccache python3 python3-yaml 
   libsqlite3-dev libcli11-dev libspdlog-dev libfmt-dev libseccomp-dev)
 package=("${build[@]}" file git)  # CPack finds programs by `file`; the version has the commit from git
 demo=("${build[@]}" glmark2-data openimageio-tools)
-test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-jsonschema mypy python3-pip curl
+test=("${demo[@]}" libgtest-dev librapidcheck-dev python3-pil python3-numpy python3-openimageio python3-jsonschema mypy python3-pip curl
   slurm-wlm munge ffmpeg
   clang-14 libclang-rt-14-dev clang-format-14 clang-tidy-14 chromium)
 

@@ -1,4 +1,4 @@
-"""What compositors take: cryptomatte, and colour spaces of an OpenColorIO configuration."""
+"""Outputs for compositors: cryptomatte, and colour spaces of an OpenColorIO configuration."""
 
 import contextlib
 import json
@@ -12,7 +12,7 @@ import unittest.mock
 
 import numpy
 
-from support.exr import attributes_of, read_exr
+from support.exr import read_attributes, read_exr
 from support.server import THIN_COAT, ServedTest, Server
 
 FRAME = {"width": 128, "height": 128, "background": "transparent", "camera": {"auto": "left"}, "format": "exr", "exr_type": "float"}
@@ -49,7 +49,7 @@ class Matte:
     """Shares of objects by their names, rows x columns each."""
 
     def __init__(self, content):
-        texts = {name: value.decode() for name, value in attributes_of(content)[0].items() if name.startswith("cryptomatte/")}
+        texts = {name: value for name, value in read_attributes(content).items() if name.startswith("cryptomatte/")}
         self.keys = {name.rsplit("/", 1)[1]: value for name, value in texts.items()}
         self.manifest = json.loads(self.keys["manifest"])
         self.channels = read_exr(content)
@@ -85,13 +85,13 @@ class Cryptomatte(ServedTest):
                 for name in ("skin", "eyes", "coat/fur", "coat/mane"):
                     self.assertGreater(matte.of[name].max(), 0.2, name)
 
-    def test_drawn_and_traced_objects_lie_in_the_same_places(self):
+    def test_drawn_and_traced_objects_lie_in_the_same_positions(self):
         drawn, traced = (self.matte(self.scene, quality=quality) for quality in ("detailed", TRACED))
         for name in drawn.manifest:
             self.assertLess(numpy.abs(drawn.of[name] - traced.of[name]).mean(), 0.05, name)
             self.assertAlmostEqual(drawn.of[name].mean(), traced.of[name].mean(), delta=0.02, msg=name)
 
-    def test_each_coat_is_told_from_the_others(self):
+    def test_each_coat_has_its_own_matte(self):
         scene = self.scene
         matte = self.matte(scene)
         scene.run({"op": "set_coats", "coats": [{"name": "fur", "muted": True}, {"name": "mane"}]})
@@ -150,7 +150,7 @@ class ColourSpaces(unittest.TestCase):
             plain = read_exr(scene.frame(**frame).body)
             for name in ("ACEScg", "lin_ap1"):
                 answer = scene.frame(**frame, colour_space=name)
-                self.assertEqual(attributes_of(answer.body)[0]["pelage/colourSpace"], name.encode())
+                self.assertEqual(read_attributes(answer.body)["pelage/colourSpace"], name)
                 aces = read_exr(answer.body)
                 for prefix in ("", "albedo."):
                     numpy.testing.assert_allclose(colours(aces, prefix), colours(plain, prefix) @ ACESCG.T, atol=2e-5)

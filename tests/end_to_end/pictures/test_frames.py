@@ -7,7 +7,7 @@ import unittest
 import numpy
 from PIL import Image
 
-from support.exr import attributes_of, read_exr
+from support.exr import read_attributes, read_exr
 from support.server import BIN, THIN_COAT, ServedTest
 
 CAMERA = {"position": [1.5, 1.8, 9.0], "target": [0, 0, 0], "fov_degrees": 30}
@@ -67,9 +67,9 @@ class Frames(ServedTest):
         width, height = 160, 96
         frame = scene.frame(width=width, height=height, camera=camera, format="exr", exr_type="float", aovs=["position", "depth"],
                             crop={"left": 40, "top": 20, "width": 90, "height": 70})
-        said = attributes_of(frame.body)[0]
-        self.assertEqual(said["pelage/revision"], b"1")
-        to_camera, to_ndc = (numpy.frombuffer(said[name], "<f4").reshape(4, 4) for name in ("worldToCamera", "worldToNDC"))
+        said = read_attributes(frame.body)
+        self.assertEqual(said["pelage/revision"], "1")
+        to_camera, to_ndc = (numpy.reshape(said[name], (4, 4)) for name in ("worldtocamera", "worldtoscreen"))
         numpy.testing.assert_allclose([*camera["position"], 1] @ to_camera, [0, 0, 0, 1], atol=1e-5)
         planes = read_exr(frame.body)
         rows, columns = numpy.nonzero(numpy.isfinite(planes["Z"]))

@@ -6,7 +6,7 @@ import tempfile
 import threading
 import unittest
 
-from support.exr import attributes_of, read_exr
+from support.exr import read_attributes, read_exr
 from support.nightly import nightly
 from support.pictures import png
 from support.server import THIN_COAT, ServedTest, comb, flood
@@ -19,7 +19,7 @@ def without_revision(picture):
     """An EXR's attributes but for the revision that it names, and its channels bit by bit; other files as they are."""
     if picture[:4] != b"\x76\x2f\x31\x01":
         return picture
-    attributes = attributes_of(picture)[0]
+    attributes = read_attributes(picture)
     del attributes["pelage/revision"]
     return attributes, {name: plane.tobytes() for name, plane in read_exr(picture).items()}
 
