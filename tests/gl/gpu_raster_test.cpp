@@ -295,7 +295,8 @@ void add_second_coat(FurredModel& model) {
 }
 
 TEST_P(GpuRasterTwin, DrawsSeveralCoats) {
-  GoldenScene scene = small_scene(1);
+  GoldenScene scene(goldens()[1], 128);
+  scene.model.settings.coats[0].coat.count /= 8;
   const Image one = draw(by_cpu, scene.model, scene.request);
   add_second_coat(scene.model);
   EXPECT_GT(mean_difference(one, draw(by_cpu, scene.model, scene.request)), 3) << "it is seen";
