@@ -11,6 +11,8 @@ if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 elseif(CMAKE_UNITY_BUILD)
   add_compile_options(-Wno-shadow)  # names of other .cpp files in the same batch; the preset `dev` still warns
 endif()
+# What asserts print names no folder of the machine that built it, and a checkout elsewhere finds its objects in the cache.
+add_compile_options(-fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
 # Keeps results the same, bit for bit: the optimiser must not choose whether to fuse multiplications and additions.
 add_compile_options(-ffp-contract=off)
 # All builds target one x86-64 level, so that a log gives the same bits on one kind of CPU.

@@ -47,20 +47,28 @@ Result<std::string> read_curves(std::string&& bytes, const std::string&) {
 
 Result<std::string> read_saved(std::string&& bytes, const std::string&) { return read_saved_scene(std::move(bytes)); }
 
+bool never(std::string_view) { return false; }
+bool always(std::string_view) { return true; }
+
+/// A glTF lists its pictures under this name. One that spells it with escapes is refused: its pictures need the reader.
+bool names_images(std::string_view bytes) { return bytes.find("\"images\"") != std::string_view::npos; }
+
 /// Indexed by ModelFormat. OBJ, PLY, STL, OFF and 3DS have pictures only in a zip archive.
 template <bool pictures>
-constexpr std::array<Job, worker_format_names.size()> models = {{{read_model<ModelFormat::obj, pictures>, false},
-                                                                 {read_model<ModelFormat::ply, pictures>, false},
-                                                                 {read_model<ModelFormat::stl, pictures>, false},
-                                                                 {read_model<ModelFormat::off, pictures>, false},
-                                                                 {read_model<ModelFormat::gltf, pictures>, pictures},
-                                                                 {read_model<ModelFormat::glb, pictures>, pictures},
-                                                                 {read_model<ModelFormat::tds, pictures>, false},
-                                                                 {read_model<ModelFormat::zip, pictures>, pictures}}};
+constexpr std::array<Job, worker_format_names.size()> models = {
+    {{read_model<ModelFormat::obj, pictures>, never},
+     {read_model<ModelFormat::ply, pictures>, never},
+     {read_model<ModelFormat::stl, pictures>, never},
+     {read_model<ModelFormat::off, pictures>, never},
+     {read_model<ModelFormat::gltf, pictures>, pictures ? names_images : never},
+     {read_model<ModelFormat::glb, pictures>, pictures ? names_images : never},
+     {read_model<ModelFormat::tds, pictures>, never},
+     {read_model<ModelFormat::zip, pictures>, pictures ? always : never}}};
 
 /// Indexed by GuideFormat.
-constexpr std::array<Job, worker_guide_names.size()> guides = {
-    {{read_curves<GuideFormat::usda>}, {read_curves<GuideFormat::hair>}, {read_curves<GuideFormat::json>}}};
+constexpr std::array<Job, worker_guide_names.size()> guides = {{{read_curves<GuideFormat::usda>, never},
+                                                                {read_curves<GuideFormat::hair>, never},
+                                                                {read_curves<GuideFormat::json>, never}}};
 
 }  // namespace
 
@@ -71,10 +79,10 @@ std::optional<Job> job_of(std::string_view name) {
   }
   for (std::size_t i = 0; i < guides.size(); ++i)
     if (name == worker_guide_names[i]) return guides[i];
-  if (name == worker_environment) return Job{read_light, true};
-  if (name == worker_map) return Job{read_data, true};
-  if (name == worker_picture) return Job{read_backplate, true};
-  if (name == worker_saved) return Job{read_saved, false};
+  if (name == worker_environment) return Job{read_light, always};
+  if (name == worker_map) return Job{read_data, always};
+  if (name == worker_picture) return Job{read_backplate, always};
+  if (name == worker_saved) return Job{read_saved, never};
   return {};
 }
 

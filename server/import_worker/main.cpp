@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "renderer/picture_files/picture_files.h"
 #include "server/import/import.h"
@@ -47,9 +48,7 @@ int complain(std::string message, int code) {
   return code;
 }
 
-int convert(const Job& job, const std::string& pose) {
-  std::string bytes;
-  if (!read_all(bytes)) return complain("The input cannot be read.", worker_exit::bad_input);
+int convert(const Job& job, std::string&& bytes, const std::string& pose) {
   const Result<std::string> answer = job.run(std::move(bytes), pose);
   if (!answer.ok()) return complain(answer.status().message, worker_exit::bad_input);
   return write_all(STDOUT_FILENO, *answer) ? worker_exit::done : worker_exit::bad_input;
@@ -60,10 +59,12 @@ int run(int argc, char** argv) {
   const std::optional<Job> job = argc == 4 || argc == 5 ? job_of(argv[1]) : std::nullopt;
   if (!job) return complain("usage: pelage-import JOB SECONDS BYTES [POSE]", worker_exit::usage);
   try {
-    if (job->reads_pictures) picture_files();  // opens libraries, which confine() forbids
+    std::string bytes;
+    if (!read_all(bytes)) return complain("The input cannot be read.", worker_exit::bad_input);
+    if (job->may_read_pictures(bytes)) picture_files();  // opens libraries, which confine() forbids
     const Status confined = confine(std::atof(argv[2]), std::strtoull(argv[3], nullptr, 10));
     if (!confined.ok()) return complain(confined.message, worker_exit::not_confined);
-    return convert(*job, argc == 5 ? argv[4] : "");
+    return convert(*job, std::move(bytes), argc == 5 ? argv[4] : "");
   } catch (const std::bad_alloc&) {
     return complain("out of memory", worker_exit::out_of_memory);
   } catch (const std::exception& error) {
