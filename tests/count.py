@@ -1,8 +1,8 @@
-"""Says why cases failed and counts the cases of all runners; its last line is `N passed, N failed, N skipped`.
+"""Prints why cases failed and counts the cases of all runners; its last line is `N passed, N failed, N skipped`.
 
-usage: count.py FOLDER CTEST [--no-skips]   FOLDER has GoogleTest's XML files, CTEST is what ctest wrote by --output-junit. Fails
-where a case failed, where there are none, and with --no-skips where GoogleTest skipped one. What Python skips needs a program or
-a right that the machine may lack; what CI has to have fails there by itself.
+usage: count.py FOLDER CTEST [--no-skips]   FOLDER has GoogleTest's XML files, CTEST is the file of `ctest --output-junit`. Fails if
+a case failed, if there are none, and with --no-skips if GoogleTest skipped one. Python skips a case if the machine lacks a program
+or a right for it; in CI such a case fails by itself.
 """
 import collections
 import pathlib
@@ -11,24 +11,24 @@ import sys
 import xml.etree.ElementTree as xml
 
 
-MAX_LINES = 40  # that are printed of one failure
+MAX_LINES = 40  # printed for one failure
 NODE_FAILURE = r"^ *not ok .*\n(?:(?! *\.\.\.$).*\n)*"
 UNITTEST_FAILURE = r"^=+\n(?:FAIL|ERROR): .*\n(?:(?!=+$|Ran \d).*\n)*"
 GOOGLETEST_FAILURE = r"^\[ RUN .*\n(?:(?!\[ {7}OK|\[  FAILED).*\n)*\[  FAILED.*\n"
 
 
-def failures_said(text):
-    """What the runners print of each test that failed; the end of the output where there is nothing of the kind."""
+def failures_in(text):
+    """Returns the output of a runner for each failed test; the end of the output if it has none."""
     return re.findall("|".join((NODE_FAILURE, UNITTEST_FAILURE, GOOGLETEST_FAILURE)), text, re.M) or ["\n".join(text.splitlines()[-MAX_LINES:])]
 
 
-def say_failures(ctest):
-    """Prints them again at the end of all output, where they are found without reading what passed."""
+def print_failures(ctest):
+    """Prints the failures again at the end of all output, so that they are found without reading what passed."""
     for case in xml.parse(ctest).iter("testcase"):
         if case.find("failure") is None:
             continue
-        for said in failures_said(case.findtext("system-out") or ""):
-            print(f"--- {case.get('name')}", *said.splitlines()[:MAX_LINES], sep="\n")
+        for failure in failures_in(case.findtext("system-out") or ""):
+            print(f"--- {case.get('name')}", *failure.splitlines()[:MAX_LINES], sep="\n")
 
 
 def outcome(case):
@@ -48,8 +48,8 @@ def number(pattern, text):
     return int(found[1]) if found else 0
 
 
-def counts_said(text):
-    """What unittest or node say at their end that they ran, as passed, failed, skipped; None of others."""
+def counts_in(text):
+    """Returns the numbers of passed, failed and skipped cases that unittest or node print at their end; None for others."""
     ran = re.search(r"^Ran (\d+) tests? in", text, re.M)
     if ran:
         failed = number(r"^FAILED .*failures=(\d+)", text) + number(r"^FAILED .*errors=(\d+)", text)
@@ -61,9 +61,9 @@ def counts_said(text):
 
 
 def cases_of_program(case):
-    """Of a program that is not GoogleTest's. One that fails has a case that failed, whatever it says."""
+    """Yields the counts of a program without GoogleTest. If it fails, at least one case counts as failed."""
     name, good = case.get("name"), case.find("failure") is None
-    passed, failed, skipped = counts_said(case.findtext("system-out") or "") or (int(good), 0, 0)
+    passed, failed, skipped = counts_in(case.findtext("system-out") or "") or (int(good), 0, 0)
     yield name, "passed", passed
     yield name, "failed", failed if good else max(failed, 1)
     yield name, "skipped by choice", skipped
@@ -82,7 +82,7 @@ def cases(folder, ctest):
 def main():
     folder, ctest, *options = sys.argv[1:]
     count = collections.Counter()
-    say_failures(ctest)
+    print_failures(ctest)
     for name, what, times in cases(folder, ctest):
         count[what] += times
         if what != "passed" and times:

@@ -70,7 +70,7 @@ def page_text(name):
              *first_lines(page), "",
              *source, f"    build/release/bin/pelage run fox docs/tools/examples/{name}.json{given}",
              f"    build/release/bin/pelage frame fox -o {name}.png {' '.join(page['camera'])}", "",
-             "`pelage undo fox` shows the fur before. The recipe (places are shares of the model's box):", "",
+             "`pelage undo fox` shows the fur before. The recipe (positions are shares of the model's box):", "",
              "```json", recipe.strip(), "```", ""]
     for schema in page["schemas"]:
         heading = "Parameters" if schema == page["schemas"][0] else schema

@@ -14,11 +14,11 @@ def page(title, words, *schemas, camera=SIDE, builtin="creature", source=None, p
 
 PAGES = {
     "comb": page("Comb", """
-Turns fur the way the brush moves. The stroke is cut into dabs, one for each spacing x radius of its length, so neither the
+Turns fur in the direction in which the brush moves. The stroke is cut into dabs, one for each spacing x radius of its length, so neither the
 sampling rate of a pointer nor the parts that a stroke was sent in matter. A dab of weight *w* moves the direction *V* to
 *V + w (lean t - V)*, where *t* is its motion in the tangent plane and *w = 1 - (1 - strength x falloff x pressure)^(step /
 radius)*. `keep_inclination` turns the heading alone. As a flood it combs the whole model along `direction`. Inverted it combs
-the other way.""", "Comb"),
+in the opposite direction.""", "Comb"),
     "blow": page("Blow", """
 Wind from a point. Inside the cone fur turns away from the source; the edge of the cone is soft, and with `fall` the wind
 loses strength with the distance *d* as *1 / (1 + (d / fall)^2)*. A stroke restricts it to what its brush covers. Inverted it
@@ -28,19 +28,19 @@ A stick that pulls fur to it (fur modelling 5.2). The part of the pull across th
 in the field `stretch` over `duration`; what goes over `threshold` lengthens the strand, up to `max_stretch` times its length
 before any stretch. Beyond `radius` nothing is pulled. Inverted it pushes away.""", "Attract"),
     "interpolate": page("Interpolate", """
-Keys say what fur is like at a few places, and Gaussian weights of the distance along the surface spread them (fur modelling
+Keys say what fur is like at a few positions, and Gaussian weights of the distance along the surface spread them (fur modelling
 5.1). A key holds a direction, a length or both. What no key reaches keeps its value. Below: fur that stands up at the
 shoulder, lies forward and short on the flank, and hangs down at the haunch.""", "Interpolate", "Key"),
     "flow": page("Flow", """
-Lays the fur of the whole body along curves that are drawn on it, from the first point of each to the last. Each place takes
-the directions of the curves near it, with Gaussian weights of the distance along the surface. The shortest way to a first
+Lays the fur of the whole body along curves that are drawn on it, from the first point of each to the last. Each vertex takes
+the directions of the curves near it, with Gaussian weights of the distance along the surface. The quickest first
 groom: one curve from the nose to the tail, one down each leg.""", "Flow"),
     "smooth": page("Smooth", """
 Blends each value with the mean of its neighbours, nearer ones counting more: *V' = (1 - t) V + t sum w V_j*, for `passes`
-times. `keep_inclination` smooths headings alone, so that no tuft rises where opposite directions meet. Below: 100 passes over
+times. `keep_inclination` smooths headings alone, so that no tuft rises between opposite directions. Below: 100 passes over
 fur that noise has tangled.""", "Smooth"),
     "noise": page("Noise", """
-Adds random numbers that are a pure function of the seed and of the place. With a `feature_size` neighbours move together and
+Adds random numbers that are a pure function of the seed and of the position. With a `feature_size` neighbours move together and
 locks form; without one every vertex moves for itself. Directions are changed in inclinations, length and width by a share of
 their value, other fields by the amount itself.""", "Noise"),
     "unify": page("Unify", """
@@ -50,14 +50,14 @@ straight down in the middle of the flank.""", "Unify"),
 The stroke is a line, and fur leans away from it on both sides. Inverted fur leans to it, and a crest stands.""", "Part",
                  camera=ABOVE),
     "whorl": page("Whorl", """
-Turns fur round the nearest place of the stroke. One sample makes a whorl, the cowlick of a forehead or a hip; a line makes
-two currents that pass each other. `turn_degrees` is the way from outwards, counter-clockwise seen from outside: at 0 fur
-points out, at 90 it circles, at 180 it points in. Inverted it turns the other way. Below: a whorl on the flank.""", "Whorl"),
+Turns fur round the nearest point of the stroke. One sample makes a whorl, the cowlick of a forehead or a hip; a line makes
+two currents that pass each other. `turn_degrees` is the angle from outwards, counter-clockwise seen from outside: at 0 fur
+points out, at 90 it circles, at 180 it points in. Inverted it turns in the opposite direction. Below: a whorl on the flank.""", "Whorl"),
     "length": page("Length", """
 Sets, adds, scales, averages, jitters or bounds the length of fur. Lengths are shares of the model's size, or its own unit
-with `units`. Inverted it adds and scales the other way.""", "Length"),
+with `units`. Inverted it subtracts, and divides in place of scaling.""", "Length"),
     "trim": page("Trim", """
-Cuts fur where the curve of a strand, as it leans, meets a plane or a sphere, or at a height over the skin. Below: long
+Cuts fur where the curve of a strand, as it leans, intersects a plane or a sphere, or at a height over the skin. Below: long
 fur on the flank, cut to a height of 0.012 sizes. Nothing grows: fur that ends before the cut stays as it is.""", "Trim", "TrimPlane", "TrimSphere"),
     "lift": page("Lift", """
 Raises fur that lies; inverted it lays it down. It keeps the heading: fur that stands upright has none and stays.""", "Lift"),
@@ -72,8 +72,8 @@ Raises the field `curl` and turns the heading by `turn_degrees`, counter-clockwi
 curl out and turns back.""", "Curl"),
     "paint": page("Paint", """
 Paints a field: density, width, curl, clump, wetness, stiffness in the wind, bare, mask, or the colour of roots or tips, which covers the coat's own
-by `value`. Inverted it takes the field back to rest. Below, from the shoulder to the haunch: a wet patch, a dark spot, and a
-thin place.""", "Paint"),
+by `value`. Inverted it takes the field back to its default. Below, from the shoulder to the haunch: a wet patch, a dark spot, and a
+thin patch.""", "Paint"),
     "mask": page("Mask", """
 The mask says how much every tool may change: all where it is 1, nothing where it is 0. It starts at 1 everywhere. Select
 takes everything, vertices, a box, a sphere, a connected part or an uploaded picture ([maps](../maps.md)), and combines it with
@@ -86,8 +86,8 @@ upload a picture and run this command, and `pelage map get` writes one; [maps](.
 log names the picture by its pixels, and the server keeps it as long as the log does. Below: a checked picture makes the fur
 of a ring long and short.""", "Map", camera=["--camera", "three_quarter"], builtin="torus", picture="map.png"),
     "symmetry": page("Symmetry", """
-From `set_symmetry` on each tool with a place works on all images of it too, as one undo step: mirrored in up to three planes
-and their combinations, or turned about an axis. Places on the surface are mirrored to the nearest ones, so a roughly
+From `set_symmetry` on each tool with a position works on all images of it too, as one undo step: mirrored in up to three planes
+and their combinations, or turned about an axis. Positions on the surface are mirrored to the nearest ones, so a roughly
 symmetric model will do. Where images overlap, each counts by what it changes there: a stroke on the plane does what it does
 without. Floods have no images. A brush with a `symmetry` of its own takes that in place of the scene's, so that a client can
 mirror strokes without a step for it. Below: two trims on one side, seen from above.""", "SetSymmetry",
@@ -109,7 +109,7 @@ adds, held in each field's range, so the order of edit layers matters only where
 groom (what is seen stays, but where a range ended between the two), `remove` takes a layer away, [erase](erase.md) with a layer takes away what it adds under the brush. Below: a ruff,
 combing and spots in three edit layers; after, the ruff at weight -.6, the combing at -1 and the spots at one half.""", "ChangeEditLayer"),
     "retarget": page("Retarget", """
-Takes the fields of another scene's model, or of this one at an earlier revision, from the nearest places of its surface, as
+Takes the fields of another scene's model, or of this one at an earlier revision, from the nearest points of its surface, as
 [retarget](../retarget.md) says. It is one undo step; the revision that was taken is in the log. Below: plain fur takes the
 groom of `clients/recipes/creature.json`, which stands in another scene.""", "Retarget", source="creature"),
 }

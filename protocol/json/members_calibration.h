@@ -6,7 +6,7 @@
 
 namespace pelage::json_parts {
 
-inline constexpr int calibration_version = 5;  // version of the default prices that `price` multiplies
+inline constexpr int calibration_version = 5;  // version of the default coefficients that `price` multiplies
 inline constexpr Range price{1e-6, 1e6};
 
 template <class V>

@@ -1,9 +1,15 @@
 #include "protocol/json/schema.h"
 
-#include <charconv>
-#include <cmath>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <variant>
+#include <vector>
 
-#include "protocol/json/colour.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/members_answers.h"
 #include "protocol/json/members_frame.h"
@@ -11,6 +17,7 @@
 #include "protocol/json/members_scene.h"
 #include "protocol/json/members_settings.h"
 #include "protocol/json/named_words.h"
+#include "protocol/json/schema_values.h"
 #include "protocol/json/write.h"
 
 namespace pelage {
@@ -21,82 +28,6 @@ namespace {
 
 using json_names::text_of;
 
-Json reference(const std::string& name) { return {{"$ref", "#/components/schemas/" + name}}; }
-
-/// Writes whole numbers without a point, and floats with the fewest digits that identify them.
-Json plain(double value) {
-  if (value == std::floor(value) && std::abs(value) < 1e15) return static_cast<std::int64_t>(value);
-  return value;
-}
-Json plain(float value) {
-  char text[32];
-  const char* end = std::to_chars(text, text + sizeof text, value).ptr;
-  double number = 0;
-  std::from_chars(text, end, number);
-  return plain(number);
-}
-template <class Vector>
-Json list(const Vector& vector) {
-  Json values = Json::array();
-  for (int i = 0; i < Vector::length(); ++i) values.push_back(plain(vector[i]));
-  return values;
-}
-
-Json colour_default(glm::vec3 linear) {
-  if (const auto text = text_of_colour(linear)) return *text;
-  return list(linear);
-}
-
-Json number_schema(const char* type, Range range) {
-  Json schema = {{"type", type}};
-  if (range.low == positive.low)
-    schema["exclusiveMinimum"] = 0;
-  else if (range.low != any_number.low)
-    schema["minimum"] = plain(range.low);
-  if (range.high != any_number.high) schema["maximum"] = plain(range.high);
-  if (*range.unit) schema["x-unit"] = range.unit;
-  return schema;
-}
-Json list_schema(Json items, Count count) {
-  Json schema = {{"type", "array"}, {"items", std::move(items)}};
-  if (count.max == any_count.max) return schema;
-  schema["minItems"] = count.min, schema["maxItems"] = count.max;
-  return schema;
-}
-/// The rule that a tool takes either a stroke or a flood.
-Json stroke_or_flood() {
-  const Json stroke = {{"required", {"stroke"}}, {"properties", {{"flood", {{"const", false}}}}}};
-  const Json flood = {{"required", {"flood"}}, {"properties", {{"flood", {{"const", true}}}, {"stroke", false}}}};
-  return {stroke, flood};
-}
-Json text_schema(std::size_t min, std::size_t max = limits::name_bytes) {
-  Json schema = {{"type", "string"}};
-  if (min > 0) schema["minLength"] = min;
-  if (max != any_length) schema["maxLength"] = max;
-  return schema;
-}
-Json described(Json schema, const char* words) {
-  if (*words) schema["description"] = words;
-  return schema;
-}
-/// Returns the schemas that members of several structs refer to.
-Json shapes() {
-  const Json digits = {{"type", "string"}, {"pattern", "^[0-9a-f]{32}$"}};
-  const Json hex = {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
-  const auto triple = [](Range range) { return list_schema(number_schema("number", range), {3, 3}); };
-  const Json component =
-      described(number_schema("number", coordinate), "A coordinate; within 1000000 sizes of the model's centre.");
-  return {
-      {"Position",
-       described(list_schema(component, {3, 3}), "A point in the model's own coordinates, right-handed with Y up.")},
-      {"Direction",
-       described(triple(direction_part), "A vector of any length in [1e-6, 1e6]; only where it points counts.")},
-      {"Barycentric", described(triple(share), "Weights of the triangle's corners; their sum is within 0.001 of 1.")},
-      {"Colour",
-       described({{"oneOf", {hex, triple(share)}}}, "A colour: sRGB as `#rrggbb`, or linear red, green and blue.")},
-      {"PictureName", described(digits, "The name that the upload of a picture was answered with.")},
-      {"FieldsHash", described(digits, "Hash of all fields: the same fur has the same hash.")}};
-}
 template <class E, std::size_t N>
 Json words_schema(Json& all, const std::array<json_names::Name<E>, N>& names) {
   Json schema = {{"enum", Json::array()}};
@@ -154,7 +85,7 @@ class MemberSchemas {
   void number_or(const char* word, MemberName name, const std::optional<double>& value, Range range,
                  const char* words = "") {
     const Json either = {{"oneOf", {number_schema("number", range), {{"const", word}}}}};
-    add(name, either, value ? plain(*value) : Json(word), words);
+    add(name, either, value ? plain_number(*value) : Json(word), words);
   }
   void numbers(MemberName name, const std::vector<double>&, Range range, Count count, const char* words = "") {
     add(name, list_schema(number_schema("number", range), count), {}, words);
@@ -213,7 +144,7 @@ class MemberSchemas {
   }
   template <glm::length_t N>
   void vector(MemberName name, const glm::vec<N, double>& value, Range range, const char* words = "") {
-    add(name, list_schema(number_schema("number", range), Count{N, N}), list(value), words);
+    add(name, list_schema(number_schema("number", range), Count{N, N}), plain_list(value), words);
   }
   void vectors(MemberName name, const std::optional<SphericalHarmonics>&, Range range, const char* words = "") {
     constexpr std::size_t count = std::tuple_size_v<SphericalHarmonics>;
@@ -324,8 +255,8 @@ class MemberSchemas {
  private:
   template <class T>
   static Json default_of(const T& value) {
-    if constexpr (std::is_floating_point_v<T>) return plain(value);
-    if constexpr (std::is_same_v<T, glm::dvec3>) return list(value);
+    if constexpr (std::is_floating_point_v<T>) return plain_number(value);
+    if constexpr (std::is_same_v<T, glm::dvec3>) return plain_list(value);
     if constexpr (!std::is_floating_point_v<T> && !std::is_same_v<T, glm::dvec3>) return value;
   }
   template <class T>

@@ -126,14 +126,14 @@ void add_forms(const Coat& coat, const Clumps& clumps, const StrandClump& clump,
 
 /// Makes a strand part of the undercoat or of the ticking, by chance.
 void add_kind(const Coat& coat, Random& random, Strand& strand) {
-  const bool under = random.uniform() < coat.undercoat.share, odd = random.uniform() < coat.ticking.share;
+  const bool under = random.uniform() < coat.undercoat.share, ticked = random.uniform() < coat.ticking.share;
   if (under) {
     strand.length_share = std::max(0.02, strand.length_share * coat.undercoat.length);
     strand.width = coat.undercoat.width;
     strand.lightness *= coat.undercoat.lightness;
     strand.own_colour = coat.undercoat.colour;
     strand.own_share = static_cast<float>(coat.undercoat.tint);
-  } else if (odd) {
+  } else if (ticked) {
     strand.own_colour = coat.ticking.colour;
     strand.own_share = 1;
   }

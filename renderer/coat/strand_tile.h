@@ -84,6 +84,9 @@ struct Strand {
 /// settings give.
 std::vector<Strand> make_strands(const Coat& coat);
 
+/// Returns the expected number of a coat's strands on an area of its sample tile, sizes^2, at full density.
+inline double expected_strands(double area, const Coat& coat) { return area * coat.count / (coat.tile * coat.tile); }
+
 /// Returns the offset from the root at `q` in [0, 1] along the strand, sizes, without the pull towards its clump and
 /// lock.
 glm::dvec2 free_offset(const Coat& coat, const Strand& strand, double q);

@@ -35,8 +35,7 @@ RasterModel::RasterModel(const FurModel& model, EachCoat<FurFields> fields, int 
 std::vector<GrowRecipe> RasterModel::recipes_for(const FurFrame& frame) const {
   std::vector<GrowRecipe> recipes = recipes_of(frame, copy.model().has_colours, fur_area);
   double expected = 0;
-  for (const GrowRecipe& recipe : recipes)
-    expected += fur_area * recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
+  for (const GrowRecipe& recipe : recipes) expected += expected_strands(fur_area, recipe.coat);
   for (GrowRecipe& recipe : recipes) {
     recipe.share = std::min(max_strands / std::max(expected, 1.0), 1.0);
     recipe.widening = 1 / recipe.share;

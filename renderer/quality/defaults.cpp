@@ -4,7 +4,7 @@
 namespace pelage {
 
 const DialModel& default_model() {
-  static const DialModel model{.prices = {2.543, 27.2, 0.04106, 53.06, 5.918, 0, 26.26},
+  static const DialModel model{.coefficients = {2.543, 27.2, 0.04106, 53.06, 5.918, 0, 26.26},
                                .cost_safety = 1.364,
                                .learnt_safety = 1.323,
                                .min_fur = 3.14,

@@ -44,7 +44,7 @@ double predicted_cost(const DialModel& model, const ViewFeatures& view, const Kn
   if (knobs.method == Method::shells) return std::max(shells_cost(view, knobs.shells, knobs.scale), min_cost);
   const std::array<double, cost_terms> terms = cost_terms_of(view, knobs);
   double sum = 0;
-  for (std::size_t i = 0; i < cost_terms; ++i) sum += model.prices[i] * terms[i];
+  for (std::size_t i = 0; i < cost_terms; ++i) sum += model.coefficients[i] * terms[i];
   return std::max(sum, min_cost);
 }
 

@@ -20,14 +20,14 @@ struct DialRow {
   double safety = 1;  // factor on the error that covers 95% of views, at least 1
 };
 
-/// Costs and errors of all rows. Prices are milliseconds of one thread of the machine that the defaults were measured
-/// on.
+/// Costs and errors of all rows. Coefficients are milliseconds of one thread of the machine that the defaults were
+/// measured on.
 struct DialModel {
-  std::array<double, cost_terms> prices{};  // for each of cost_terms_of, at least 0
-  double cost_safety = 1;                   // factor on the cost of a scene without a learnt correction, at least 1
-  double learnt_safety = 1;                 // the same for a scene with a learnt correction, at least 1
-  double min_fur = 1, max_fur = 1;          // range of fur lengths that were measured, pixels; others are clamped to it
-  std::vector<DialRow> rows;                // one to eight
+  std::array<double, cost_terms> coefficients{};  // for each of cost_terms_of, at least 0
+  double cost_safety = 1;           // factor on the cost of a scene without a learnt correction, at least 1
+  double learnt_safety = 1;         // the same for a scene with a learnt correction, at least 1
+  double min_fur = 1, max_fur = 1;  // range of fur lengths that were measured, pixels; others are clamped to it
+  std::vector<DialRow> rows;        // one to eight
 };
 
 /// Returns the model that tests/bench/dial.cpp writes.
@@ -41,8 +41,8 @@ Knobs dial_knobs(double strands, int light_of, double scale);
 /// hundreds of thousands of pixels of furred skin.
 std::array<double, cost_terms> cost_terms_of(const ViewFeatures& view, const Knobs& knobs);
 
-/// Returns the cost by the model's prices in milliseconds, above 0, without eyes, curves, the ground and the growing of
-/// strands. For shells, which no planner chooses, it is a guess.
+/// Returns the cost by the model's coefficients in milliseconds, above 0, without eyes, curves, the ground and the
+/// growing of strands. For shells, which no planner chooses, it is a guess.
 double predicted_cost(const DialModel& model, const ViewFeatures& view, const Knobs& knobs);
 
 /// Returns the median of the mean FLIP of such views, (0, 1].

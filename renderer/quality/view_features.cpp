@@ -88,8 +88,7 @@ ViewFeatures Looker::features(double times) const {
   const Coat& coat = frame_.coat();
   view.width_pixels = area_ > 0 ? std::min(coat.width_root * sizes_ / area_, max_fur) : 0;
   view.winding = winding(coat);
-  for (const NamedCoat& one : frame_.coats)
-    view.strands += seen_skin_ * times * one.coat.count / (one.coat.tile * one.coat.tile);
+  for (const NamedCoat& one : frame_.coats) view.strands += expected_strands(seen_skin_ * times, one.coat);
   return view;
 }
 

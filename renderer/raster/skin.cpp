@@ -49,18 +49,18 @@ FlatTriangle triangle_of(const FlatCorner& a, const FlatCorner& b, const FlatCor
 std::size_t clipped(const PictureCamera& camera, const std::array<glm::dvec3, 3>& corners, std::uint32_t triangle,
                     std::array<FlatTriangle, 2>& triangles) {
   constexpr double min_depth = near_distance;
-  std::array<glm::dvec3, 4> kept;
+  std::array<glm::dvec3, 4> fan;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const glm::dvec3 &a = corners[i], &b = corners[(i + 1) % 3];
-    if (a.z >= min_depth) kept[count++] = a;
+    if (a.z >= min_depth) fan[count++] = a;
     if ((a.z >= min_depth) != (b.z >= min_depth)) {
-      kept[count] = a + (b - a) * ((min_depth - a.z) / (b.z - a.z));
-      kept[count++].z = min_depth;
+      fan[count] = a + (b - a) * ((min_depth - a.z) / (b.z - a.z));
+      fan[count++].z = min_depth;
     }
   }
   for (std::size_t i = 2; i < count; ++i)
-    triangles[i - 2] = triangle_of(flat(camera, kept[0]), flat(camera, kept[i - 1]), flat(camera, kept[i]), triangle);
+    triangles[i - 2] = triangle_of(flat(camera, fan[0]), flat(camera, fan[i - 1]), flat(camera, fan[i]), triangle);
   return count < 3 ? 0 : count - 2;
 }
 

@@ -8,13 +8,11 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/curves/curve_strips.h"
 #include "renderer/pattern/pattern.h"
 #include "renderer/strands/even_order.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/sampling.h"
 #include "renderer/strands/strand_look.h"
-#include "renderer/strands/strand_part.h"
 #include "renderer/strands/tile_strands.h"
 
 namespace pelage {
@@ -288,30 +286,6 @@ Grower::Grower(const FurModel& model, const FurFields& fields, const GrowRecipe&
 
 Grower::~Grower() = default;
 
-double fur_area(const FurModel& model) {
-  Coat coat;
-  coat.count = 1, coat.tile = 1;
-  return expected_strands(model, coat);
-}
-
-std::vector<GrowRecipe> recipes_of(const FurFrame& frame, bool has_colours, double area) {
-  std::vector<GrowRecipe> recipes;
-  for (const NamedCoat& one : frame.coats) {
-    const double expected = area * one.coat.count / (one.coat.tile * one.coat.tile);
-    recipes.push_back({.coat = one.coat,
-                       .model_colours = takes_model_colours(frame.look, has_colours),
-                       .guard_share = expected > 0 ? std::min(one.coat.guard_hairs / expected, 1.0) : 0,
-                       .extra_wetness = one.coat.wetness - frame.wetness()});
-  }
-  return recipes;
-}
-
-double expected_strands(const FurModel& model, const Coat& coat) {
-  double sum = 0;
-  for (const auto& corners : model.corners) sum += expected_strands(corners, coat);
-  return sum;
-}
-
 StrandSet Grower::grow(const StrandChunk& chunk, std::size_t max) const {
   const Impl& grower = *impl_;
   Impl::Found found;
@@ -413,24 +387,6 @@ std::uint64_t Grower::fingerprint(const StrandChunk& chunk) const {
     hash.add_value(impl_->model.corners[triangle]);
   }
   return hash.value();
-}
-
-StrandSet grow_curves(std::span<const FurCurves> curves) {
-  const CurveStrips strips = make_strips(curves);
-  StrandSet set;
-  set.segments = curve_segments;
-  set.points.reserve(strips.points.size()), set.colours.reserve(strips.points.size());
-  for (std::size_t i = 0; i < strips.styles.size(); ++i) {
-    const CurveStyle& style = strips.styles[i];
-    for (int k = 0; k <= curve_segments; ++k) {
-      const glm::vec4 look = glm::mix(style.root, style.tip, static_cast<float>(k) / curve_segments);
-      const glm::vec3 position = strips.points[i * (curve_segments + 1) + static_cast<std::size_t>(k)];
-      set.points.push_back({position, std::max(0.5f * look.w, min_strand_radius)});
-      set.colours.push_back(pack_colour(glm::vec3(look)));
-    }
-    set.roots.push_back({.normal = glm::vec3(style.normal), .number = style.normal.w});
-  }
-  return set;
 }
 
 }  // namespace pelage

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "renderer/input/fur_scene.h"
+#include "renderer/strands/grow_recipe.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/strand_set.h"
 
@@ -18,35 +19,12 @@ namespace pelage {
 
 inline constexpr float min_strand_radius = 1e-7f;  // sizes
 
-/// The settings for growing a coat, besides the model and its fields.
-struct GrowRecipe {
-  Coat coat;
-  bool model_colours = false;  // hue from the model, lightness from the ramp (base_colour.glsl)
-  double share = 1;            // share of the coat's strands to grow, chosen by a random number of each, (0, 1]
-  double guard_share = 0;      // share of the strands that become guard hairs, [0, 1]
-  double widening = 1;         // factor on strand width, >= 1: 1 / share preserves coverage
-  double extra_wetness = 0;    // wetness beyond FurFrame::wetness, [0, 1]
-
-  bool operator==(const GrowRecipe&) const = default;
-};
-
 /// A region of the surface that is grown at a time: indices of triangles of the model that lie together.
 using StrandChunk = std::vector<std::uint32_t>;
-
-/// Returns the area of the fur on its sample tile, sizes^2: the expected number of strands at full density if one grows
-/// per unit of area.
-double fur_area(const FurModel& model);
-
-/// Returns recipes to grow all strands of a frame's coats, at the widths that the coats have. `area` is the model's
-/// fur_area.
-std::vector<GrowRecipe> recipes_of(const FurFrame& frame, bool has_colours, double area);
 
 /// Divides the surface into compact chunks with at most `strands_each` strands of all coats together each, or of one
 /// triangle.
 std::vector<StrandChunk> make_chunks(const FurModel& model, EachCoat<Coat> coats, double strands_each);
-
-/// Returns the expected number of strands, before density, bare skin and `share` reduce it.
-double expected_strands(const FurModel& model, const Coat& coat);
 
 /// The look of the skin between strands, at a corner of a triangle.
 struct SkinLook {

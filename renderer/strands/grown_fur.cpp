@@ -16,10 +16,10 @@ namespace {
 
 constexpr double strands_of_grown_part = 1000;
 
-double on_area_of(const Coat& coat) { return coat.count / (coat.tile * coat.tile); }
-
 /// Returns the coverage of a full coat over the length of its fur, up to a constant factor.
-double cover_of(const Coat& coat) { return on_area_of(coat) * std::max(coat.width_root + coat.width_tip, 1e-9); }
+double cover_of(const Coat& coat) {
+  return expected_strands(1, coat) * std::max(coat.width_root + coat.width_tip, 1e-9);
+}
 
 double area_of(const FurModel& model, const StrandChunk& chunk) {
   double area = 0;
@@ -121,7 +121,7 @@ std::size_t GrownFur::grow_still(const Growing& how, std::size_t chunk) {
     skin.add_value(coats_[how.coat].skin[triangle] = how.grower.skin(triangle));
   part.skin = skin.value();
   const std::size_t count = still.strands->count();
-  const double on_area = on_area_of(how.recipe.coat);
+  const double on_area = expected_strands(1, how.recipe.coat);
   const double of_coat = on_area * how.recipe.share * part.area;
   part.crowding = static_cast<float>(static_cast<double>(count) / std::max(of_coat, 1e-12) * how.cover);
   part.wider = static_cast<float>(1 / how.recipe.share);

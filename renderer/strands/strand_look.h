@@ -10,7 +10,7 @@
 
 #include "renderer/coat/strand_tile.h"
 #include "renderer/pattern/pattern.h"
-#include "renderer/strands/grow.h"
+#include "renderer/strands/grow_recipe.h"
 #include "renderer/strands/root_fields.h"
 #include "renderer/strands/tile_strands.h"
 

@@ -1,37 +1,16 @@
-// A part of the traced strands with its Embree scene and memory budget, and the expected number of strands on a
-// triangle of the surface.
+// A part of the traced strands, which are grown and indexed together, with its Embree scene and memory budget.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "renderer/input/fur_scene.h"
-#include "renderer/strands/grow.h"
-#include "renderer/strands/tile_strands.h"
+#include "renderer/strands/strand_set.h"
 #include "renderer/strands/world.h"
 
 namespace pelage {
-
-/// Returns a triangle of the model on the sample tile, in sizes.
-inline std::array<glm::dvec2, 3> tile_triangle(const std::array<FurCorner, 3>& corners) {
-  return {corners[0].tile_uv, corners[1].tile_uv, corners[2].tile_uv};
-}
-
-/// Returns the expected number of strands on a triangle at full density; 0 where TileCells finds none.
-inline double expected_strands(const std::array<FurCorner, 3>& corners, const Coat& coat) {
-  const auto [a, b, c] = tile_triangle(corners);
-  const glm::dvec2 furthest = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
-  if (!(furthest.x <= TileCells::furthest && furthest.y <= TileCells::furthest)) return 0;
-  const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-  const double weight = (corners[0].weight + corners[1].weight + corners[2].weight) / 3.0;
-  return area * weight * coat.count / (coat.tile * coat.tile);
-}
-
-// Strands that are grown and indexed together.
 
 /// Counts bytes in use against a limit. Safe to share between threads.
 class MemoryBudget {

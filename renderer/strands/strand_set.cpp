@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "renderer/strands/grow.h"
-#include "renderer/strands/strand_part.h"
 
 namespace pelage {
 

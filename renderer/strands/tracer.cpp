@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/stopwatch.h"
+#include "renderer/coat/strand_tile.h"
 #include "renderer/strands/film.h"
 #include "renderer/strands/paths.h"
 #include "renderer/strands/trace_scene.h"
@@ -111,7 +112,7 @@ Result<World::Change> Tracer::Impl::grow(const FurModel& model, EachCoat<FurFiel
   const double area = fur_area(model);
   std::vector<GrowRecipe> recipes = recipes_of(frame, model.has_colours, area);
   double expected = 0;
-  for (const GrowRecipe& recipe : recipes) expected += area * recipe.coat.count / (recipe.coat.tile * recipe.coat.tile);
+  for (const GrowRecipe& recipe : recipes) expected += expected_strands(area, recipe.coat);
   thin_out(frame, expected, shortest_fur(fields), recipes);
   return world.update(model, fields, frame, recipes, workers, go_on);
 }

@@ -47,7 +47,7 @@ LightBlock light_block(const FurLight& light) {
 /// Returns the mean number of upright strands that a horizontal ray crosses within one strand width.
 double crowding_of(const Coat& coat) {
   const double width = (coat.width_root + coat.width_tip) / 2;
-  return std::min(coat.count * width * width / (coat.tile * coat.tile), 1.0);
+  return std::min(expected_strands(width * width, coat), 1.0);
 }
 
 }  // namespace

@@ -128,11 +128,11 @@ Result<JobRenderer::Encode> JobRenderer::picture(const Region& region, const std
   const Stopwatch passed;
   const JobFrame& frame = region.frame;
   const auto texts_after = [this, &frame, fingerprint = region.fingerprint](const FrameAnswer& answer, double seconds) {
-    std::vector<ImageText> said = metadata_of(frame, encode(answer.knobs), summary_, fps_, seconds);
-    for (ImageText& text : said) {
+    std::vector<ImageText> texts = metadata_of(frame, encode(answer.knobs), summary_, fps_, seconds);
+    for (ImageText& text : texts) {
       if (text.key == fingerprint_key) text.value = fingerprint;
     }
-    return said;
+    return texts;
   };
   const FrameRequest request = region.request_at(frame.moment);
   Result<PictureService::Encode> drawn = failure(Code::internal, "not drawn");

@@ -38,12 +38,12 @@ Joint on_spline(const std::vector<Joint>& joints, std::size_t i, double t) {
 
 /// Returns a limb that passes smoothly through the joints.
 Cones chain(const std::vector<Joint>& joints) {
-  constexpr int kPieces = 6;
+  constexpr int kSegments = 6;
   Cones cones;
   Joint from = joints.front();
   for (std::size_t i = 0; i + 1 < joints.size(); ++i)
-    for (int k = 1; k <= kPieces; ++k) {
-      const Joint to = on_spline(joints, i, static_cast<double>(k) / kPieces);
+    for (int k = 1; k <= kSegments; ++k) {
+      const Joint to = on_spline(joints, i, static_cast<double>(k) / kSegments);
       cones.push_back({from.at, to.at, from.radius, to.radius, kX, 1});
       from = to;
     }

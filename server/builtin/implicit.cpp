@@ -17,9 +17,9 @@ glm::dvec3 flattened(const RoundCone& cone, glm::dvec3 offset) {
   return offset + (cone.flatten - 1) * glm::dot(offset, cone.flat_axis) * cone.flat_axis;
 }
 
-glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 otherwise) {
+glm::dvec3 unit_or(glm::dvec3 v, glm::dvec3 fallback) {
   const double length = glm::length(v);
-  return length > 1e-300 ? v / length : otherwise;
+  return length > 1e-300 ? v / length : fallback;
 }
 
 /// Returns the smaller of two distances with a quadratic fillet `width` wide.
@@ -35,32 +35,34 @@ DistanceSample negated(const DistanceSample& s) { return {-s.distance, -s.gradie
 
 }  // namespace
 
-ImplicitSurface::Piece ImplicitSurface::make_piece(const RoundCone& cone) {
+ImplicitSurface::PreparedCone ImplicitSurface::prepare_cone(const RoundCone& cone) {
   assert(cone.flatten >= 1);
-  Piece piece;
-  piece.cone = cone;
+  PreparedCone prepared;
+  prepared.cone = cone;
   const glm::dvec3 span = flattened(cone, cone.b - cone.a);
-  piece.length = glm::length(span);
-  if (piece.length > 0) {
-    piece.axis = span / piece.length;
-    piece.sine = (cone.radius_a - cone.radius_b) / piece.length;
-    assert(std::abs(piece.sine) < 1);
-    piece.cosine = std::sqrt(1 - piece.sine * piece.sine);
+  prepared.length = glm::length(span);
+  if (prepared.length > 0) {
+    prepared.axis = span / prepared.length;
+    prepared.sine = (cone.radius_a - cone.radius_b) / prepared.length;
+    assert(std::abs(prepared.sine) < 1);
+    prepared.cosine = std::sqrt(1 - prepared.sine * prepared.sine);
   }
-  piece.hull = {0.5 * (cone.a + cone.b), 0.5 * glm::distance(cone.a, cone.b) + std::max(cone.radius_a, cone.radius_b)};
-  return piece;
+  prepared.hull = {0.5 * (cone.a + cone.b),
+                   0.5 * glm::distance(cone.a, cone.b) + std::max(cone.radius_a, cone.radius_b)};
+  return prepared;
 }
 
 ImplicitSurface::Part ImplicitSurface::make_part(const Volume& volume) {
   assert(!volume.cones.empty() && volume.width > 0 && volume.joint_width > 0);
   Part part{{}, volume.width, volume.joint_width, volume.blend, 1, {}};
   for (const RoundCone& cone : volume.cones) {
-    part.pieces.push_back(make_piece(cone));
+    part.cones.push_back(prepare_cone(cone));
     part.max_flat = std::max(part.max_flat, cone.flatten);
-    part.hull.centre += part.pieces.back().hull.centre / static_cast<double>(volume.cones.size());
+    part.hull.centre += part.cones.back().hull.centre / static_cast<double>(volume.cones.size());
   }
-  for (const Piece& piece : part.pieces) {
-    const double reach = glm::distance(piece.hull.centre, part.hull.centre) + piece.hull.radius + volume.joint_width;
+  for (const PreparedCone& prepared : part.cones) {
+    const double reach =
+        glm::distance(prepared.hull.centre, part.hull.centre) + prepared.hull.radius + volume.joint_width;
     part.hull.radius = std::max(part.hull.radius, reach);
   }
   return part;
@@ -84,23 +86,23 @@ void ImplicitSurface::extend_box(const Volume& volume) {
   }
 }
 
-DistanceSample ImplicitSurface::sample_piece(const Piece& piece, glm::dvec3 position) {
-  const RoundCone& cone = piece.cone;
+DistanceSample ImplicitSurface::sample_cone(const PreparedCone& prepared, glm::dvec3 position) {
+  const RoundCone& cone = prepared.cone;
   const glm::dvec3 offset = flattened(cone, position - cone.a);
-  const double along = glm::dot(offset, piece.axis);
-  const glm::dvec3 across = offset - along * piece.axis;
+  const double along = glm::dot(offset, prepared.axis);
+  const glm::dvec3 across = offset - along * prepared.axis;
   const double radial = glm::length(across);
-  const double slant = piece.cosine * along - piece.sine * radial;
+  const double slant = prepared.cosine * along - prepared.sine * radial;
 
   DistanceSample flat;
   if (slant <= 0) {
-    flat = {glm::length(offset) - cone.radius_a, unit_or(offset, piece.axis)};
-  } else if (slant >= piece.cosine * piece.length) {
-    const glm::dvec3 from_b = offset - piece.length * piece.axis;
-    flat = {glm::length(from_b) - cone.radius_b, unit_or(from_b, piece.axis)};
+    flat = {glm::length(offset) - cone.radius_a, unit_or(offset, prepared.axis)};
+  } else if (slant >= prepared.cosine * prepared.length) {
+    const glm::dvec3 from_b = offset - prepared.length * prepared.axis;
+    flat = {glm::length(from_b) - cone.radius_b, unit_or(from_b, prepared.axis)};
   } else {
-    flat = {piece.cosine * radial + piece.sine * along - cone.radius_a,
-            piece.cosine * unit_or(across, glm::dvec3(0)) + piece.sine * piece.axis};
+    flat = {prepared.cosine * radial + prepared.sine * along - cone.radius_a,
+            prepared.cosine * unit_or(across, glm::dvec3(0)) + prepared.sine * prepared.axis};
   }
   // Dividing by the gradient's length gives a distance again, exact at the surface.
   const glm::dvec3 gradient = flattened(cone, flat.gradient);
@@ -109,12 +111,12 @@ DistanceSample ImplicitSurface::sample_piece(const Piece& piece, glm::dvec3 posi
 }
 
 DistanceSample ImplicitSurface::sample_part(const Part& part, glm::dvec3 position) {
-  DistanceSample sum = sample_piece(part.pieces.front(), position);
-  for (std::size_t i = 1; i < part.pieces.size(); ++i) {
-    const Piece& piece = part.pieces[i];
-    const double gap = glm::distance(position, piece.hull.centre) - piece.hull.radius;
+  DistanceSample sum = sample_cone(part.cones.front(), position);
+  for (std::size_t i = 1; i < part.cones.size(); ++i) {
+    const PreparedCone& prepared = part.cones[i];
+    const double gap = glm::distance(position, prepared.hull.centre) - prepared.hull.radius;
     if (gap / part.max_flat > sum.distance + part.joint_width) continue;
-    sum = smooth_min(sum, sample_piece(piece, position), part.joint_width);
+    sum = smooth_min(sum, sample_cone(prepared, position), part.joint_width);
   }
   return sum;
 }
@@ -297,13 +299,13 @@ TriangleMesh largest_part(const TriangleMesh& mesh) {
   std::vector<std::uint32_t> renamed(parent.size(), kNone);
   for (const glm::uvec3& face : mesh.triangles) {
     if (root_of(parent, face.x) != largest) continue;
-    glm::uvec3& kept = part.triangles.emplace_back();
+    glm::uvec3& triangle = part.triangles.emplace_back();
     for (int k = 0; k < 3; ++k) {
       if (renamed[face[k]] == kNone) {
         renamed[face[k]] = static_cast<std::uint32_t>(part.positions.size());
         part.positions.push_back(mesh.positions[face[k]]);
       }
-      kept[k] = renamed[face[k]];
+      triangle[k] = renamed[face[k]];
     }
   }
   return part;

@@ -53,7 +53,7 @@ class ImplicitSurface {
     glm::dvec3 centre{0};
     double radius = 0;
   };
-  struct Piece {
+  struct PreparedCone {
     RoundCone cone;
     glm::dvec3 axis{0, 1, 0};     // from a to b, unit, after flattening
     double length = 0;            // |b - a| after flattening
@@ -61,16 +61,16 @@ class ImplicitSurface {
     Ball hull;
   };
   struct Part {
-    std::vector<Piece> pieces;
+    std::vector<PreparedCone> cones;
     double width, joint_width;
     Blend blend;
     double max_flat = 1;
     Ball hull;
   };
 
-  static Piece make_piece(const RoundCone& cone);
+  static PreparedCone prepare_cone(const RoundCone& cone);
   static Part make_part(const Volume& volume);
-  static DistanceSample sample_piece(const Piece& piece, glm::dvec3 position);
+  static DistanceSample sample_cone(const PreparedCone& prepared, glm::dvec3 position);
   static DistanceSample sample_part(const Part& part, glm::dvec3 position);
   void extend_box(const Volume& volume);
 

@@ -12,17 +12,17 @@ namespace pelage {
 
 class Buffered {
  public:
-  explicit Buffered(const Sink& sink) : sink_(sink) { text_.reserve(2 * piece); }
+  explicit Buffered(const Sink& sink) : sink_(sink) { text_.reserve(2 * chunk_bytes); }
 
   template <class... Values>
   void print(fmt::format_string<Values...> format, Values&&... values) {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Values>(values)...);
-    if (text_.size() >= piece) flush();
+    if (text_.size() >= chunk_bytes) flush();
   }
   template <class Value>
   void put(const Value& value) {
     text_.append(reinterpret_cast<const char*>(&value), sizeof(value));
-    if (text_.size() >= piece) flush();
+    if (text_.size() >= chunk_bytes) flush();
   }
 
   bool going() const { return going_; }
@@ -33,7 +33,7 @@ class Buffered {
   }
 
  private:
-  static constexpr std::size_t piece = std::size_t{1} << 18;
+  static constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
 
   void flush() {
     if (going_ && !text_.empty()) going_ = sink_(text_);

@@ -19,7 +19,7 @@ bool bears_fur(const FieldSet& fields, std::uint32_t vertex) {
 }  // namespace
 
 CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
-  const FurTriangles pieces = make_fur_triangles(scene.model.surface.mesh(), scene.model.patches);
+  const FurTriangles patch_triangles = make_fur_triangles(scene.model.surface.mesh(), scene.model.patches);
   CornerMesh shells;
   std::map<std::tuple<std::uint32_t, float, float>, std::uint32_t> known;
   const auto corner_of = [&](std::uint32_t vertex, const FurCorner& corner) {
@@ -28,11 +28,11 @@ CornerMesh make_corner_mesh(const SceneView& scene, bool whole) {
     if (is_new) shells.corners.push_back({vertex, corner.tile_uv, corner.weight});
     return at->second;
   };
-  for (std::size_t t = 0; t < pieces.triangles.size(); ++t) {
-    const glm::uvec3 v = pieces.triangles[t];
+  for (std::size_t t = 0; t < patch_triangles.triangles.size(); ++t) {
+    const glm::uvec3 v = patch_triangles.triangles[t];
     const bool furred = bears_fur(scene.fields, v.x) || bears_fur(scene.fields, v.y) || bears_fur(scene.fields, v.z);
     if (!whole && !furred) continue;
-    const std::array<FurCorner, 3>& c = pieces.corners[t];
+    const std::array<FurCorner, 3>& c = patch_triangles.corners[t];
     shells.triangles.emplace_back(corner_of(v.x, c[0]), corner_of(v.y, c[1]), corner_of(v.z, c[2]));
   }
   return shells;

@@ -20,9 +20,9 @@ bool ExportFile::write(const Sink& sink) const {
 std::uint64_t size_of(const std::vector<FilePart>& parts, const Cancel& cancel) {
   std::vector<std::uint64_t> bytes(parts.size());
   for_each_in_parallel(static_cast<std::uint32_t>(parts.size()), [&](std::uint32_t i) {
-    parts[i]([&](std::string_view piece) {
+    parts[i]([&](std::string_view chunk) {
       cancel.check();
-      bytes[i] += piece.size();
+      bytes[i] += chunk.size();
       return true;
     });
   });

@@ -7,7 +7,7 @@
 #include "renderer/image/image.h"
 #include "server/export/corner_mesh.h"
 #include "server/export/glb_writer.h"
-#include "server/export/layer_texture.h"
+#include "server/export/shell_texture.h"
 #include "server/export/skin_part.h"
 #include "server/export/vertex_colours.h"
 #include "server/fields/coats.h"
@@ -25,11 +25,11 @@ Image atlas_of(const Coat& coat) {
   const auto side = static_cast<std::size_t>(level.texels), width = atlas_columns * side;
   Image atlas{static_cast<int>(width), static_cast<int>(width), std::vector<std::uint8_t>(4 * width * width)};
   for (int k = 0; k < atlas_columns * atlas_columns; ++k) {
-    const Image layer = LayerTexture(level, bin_of(k, atlas_columns * atlas_columns)).image();
+    const Image shell = ShellTexture(level, bin_of(k, atlas_columns * atlas_columns)).image();
     const std::size_t left = static_cast<std::size_t>(k % atlas_columns) * side,
                       top = static_cast<std::size_t>(k / atlas_columns) * side;
     for (std::size_t y = 0; y < side; ++y)
-      std::copy_n(layer.rgba.begin() + static_cast<std::ptrdiff_t>(4 * y * side), 4 * side,
+      std::copy_n(shell.rgba.begin() + static_cast<std::ptrdiff_t>(4 * y * side), 4 * side,
                   atlas.rgba.begin() + static_cast<std::ptrdiff_t>(4 * ((top + y) * width + left)));
   }
   return atlas;
@@ -96,8 +96,8 @@ Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& stra
   const int triangles = file.add_triangles(shells.triangles, shells.corners.size());
   const int atlas = file.add_png(encode_png(atlas_of(first_unmuted(scene.settings.coats).coat), true));
   const GltfJson skin = {{"attributes", attributes}, {"indices", triangles}, {"material", 0}};
-  const GltfJson layers = {{"fur_layers", atlas_columns * atlas_columns}, {"atlas_columns", atlas_columns}};
-  file.set_scene(node_of("skin", 0, strands.transform), GltfJson::array({skin}), layers);
+  const GltfJson extras = {{"fur_layers", atlas_columns * atlas_columns}, {"atlas_columns", atlas_columns}};
+  file.set_scene(node_of("skin", 0, strands.transform), GltfJson::array({skin}), extras);
   GltfJson material = material_of("skin", dull);
   material["occlusionTexture"] = {{"index", 0}, {"strength", 0}};
   file.set("materials", GltfJson::array({material}));

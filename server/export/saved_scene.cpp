@@ -15,9 +15,9 @@ namespace {
 
 bool copy_file(const std::string& path, const Sink& sink) {
   std::ifstream file(path, std::ios::binary);
-  std::string piece(std::size_t{1} << 18, '\0');
-  while (file.read(piece.data(), static_cast<std::streamsize>(piece.size())) || file.gcount() > 0) {
-    if (!sink(std::string_view(piece).substr(0, static_cast<std::size_t>(file.gcount())))) return false;
+  std::string chunk(std::size_t{1} << 18, '\0');
+  while (file.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || file.gcount() > 0) {
+    if (!sink(std::string_view(chunk).substr(0, static_cast<std::size_t>(file.gcount())))) return false;
   }
   return true;
 }
@@ -31,7 +31,7 @@ Status check_size(const std::string& path, std::uint64_t max, const char* what) 
                  "at most " + std::to_string(max) + " bytes " + what);
 }
 
-constexpr std::size_t piece_bytes = std::size_t{1} << 18;
+constexpr std::size_t chunk_bytes = std::size_t{1} << 18;
 
 struct Close {
   void operator()(gzFile file) const { gzclose(file); }
@@ -47,12 +47,12 @@ Status cannot_be_written() {
 Status compress_file(const std::string& from, const std::string& to, const std::function<void()>& between) {
   std::ifstream input(from, std::ios::binary);
   GzipFile output(gzopen(to.c_str(), "wb"));
-  std::string piece(piece_bytes, '\0');
+  std::string chunk(chunk_bytes, '\0');
   if (!input || !output) return cannot_be_written();
-  while (input.read(piece.data(), static_cast<std::streamsize>(piece.size())) || input.gcount() > 0) {
+  while (input.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || input.gcount() > 0) {
     if (between) between();
     const auto size = static_cast<unsigned>(input.gcount());
-    if (gzwrite(output.get(), piece.data(), size) != static_cast<int>(size)) return cannot_be_written();
+    if (gzwrite(output.get(), chunk.data(), size) != static_cast<int>(size)) return cannot_be_written();
   }
   return gzclose(output.release()) == Z_OK ? Status{} : cannot_be_written();
 }

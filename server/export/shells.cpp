@@ -13,7 +13,7 @@
 #include "server/export/corner_mesh.h"
 #include "server/export/eye_part.h"
 #include "server/export/glb_writer.h"
-#include "server/export/layer_texture.h"
+#include "server/export/shell_texture.h"
 #include "server/export/skin_part.h"
 #include "server/export/vertex_colours.h"
 #include "server/fields/coats.h"
@@ -52,21 +52,21 @@ class ShellFile {
     materials_.push_back(material_of("eyes", wet));
   }
 
-  void add_layer(int layer, int layers, const std::string& texture) {
-    const SliceBin bin = bin_of(layer, layers);
+  void add_shell(int shell, int shell_count, const std::string& texture) {
+    const SliceBin bin = bin_of(shell, shell_count);
     const std::vector<glm::vec3> vertex_positions = positions_at(scene_, bin.height);
     std::vector<glm::vec3> positions;
     std::vector<glm::vec4> colours;
     for (const CornerMesh::Corner& corner : shells_.corners) {
       positions.push_back(vertex_positions[corner.vertex]);
       const glm::vec3 lit =
-          LayerTexture::headroom * light_at(slices_, bin.height) * colours_.at(corner.vertex, bin.height);
+          ShellTexture::headroom * light_at(slices_, bin.height) * colours_.at(corner.vertex, bin.height);
       const float density = scene_.fields.number(Field::density, corner.vertex);
       colours.emplace_back(glm::min(lit, 1.0f), corner.weight * density);
     }
     const int image = file_.add_png(texture);
     textures_.push_back({{"source", image}, {"sampler", 0}});
-    GltfJson& material = materials_.emplace_back(material_of(fmt::format("fur {}", layer + 1), 0.9));
+    GltfJson& material = materials_.emplace_back(material_of(fmt::format("fur {}", shell + 1), 0.9));
     material["alphaMode"] = "BLEND";
     material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", image}};
     primitives_.push_back({{"attributes",
@@ -75,7 +75,7 @@ class ShellFile {
                              {"TEXCOORD_0", uvs_},
                              {"COLOR_0", file_.add(std::span(std::as_const(colours)))}}},
                            {"indices", triangles_},
-                           {"material", layer + 1}});
+                           {"material", shell + 1}});
   }
 
   Result<std::string> finish() {
@@ -99,11 +99,11 @@ class ShellFile {
 };
 
 /// Returns the texture of each shell as PNG. Works in parallel, since the compression takes longer than all the rest.
-std::vector<std::string> layer_textures(const Slices& slices, int layers) {
-  std::vector<std::string> textures(static_cast<std::size_t>(layers));
-  for_each_in_parallel(static_cast<std::uint32_t>(layers), [&](std::uint32_t layer) {
-    const SliceBin bin = bin_of(static_cast<int>(layer), layers);
-    textures[layer] = encode_png(LayerTexture(slices.levels.front(), bin).image(), true);
+std::vector<std::string> shell_textures(const Slices& slices, int shell_count) {
+  std::vector<std::string> textures(static_cast<std::size_t>(shell_count));
+  for_each_in_parallel(static_cast<std::uint32_t>(shell_count), [&](std::uint32_t shell) {
+    const SliceBin bin = bin_of(static_cast<int>(shell), shell_count);
+    textures[shell] = encode_png(ShellTexture(slices.levels.front(), bin).image(), true);
   });
   return textures;
 }
@@ -116,14 +116,15 @@ Result<BakedShells> bake_shells(const SceneView& scene, const ExportedStrands& s
   const Slices slices = bake_slices(first_unmuted(scene.settings.coats).coat);
   ShellFile file(scene, strands.transform, shells, colours, slices);
   file.add_skin();
-  const int layers = shells.triangles.empty() ? 0 : request.shells;
-  const std::vector<std::string> textures = layer_textures(slices, layers);
-  for (int layer = 0; layer < layers; ++layer) file.add_layer(layer, layers, textures[static_cast<std::size_t>(layer)]);
-  file.add_eyes(make_frame(scene, FrameRequest{}).eyes, layers + 1);
+  const int shell_count = shells.triangles.empty() ? 0 : request.shells;
+  const std::vector<std::string> textures = shell_textures(slices, shell_count);
+  for (int shell = 0; shell < shell_count; ++shell)
+    file.add_shell(shell, shell_count, textures[static_cast<std::size_t>(shell)]);
+  file.add_eyes(make_frame(scene, FrameRequest{}).eyes, shell_count + 1);
   Result<std::string> glb = file.finish();
   if (!glb) return glb.status();
   return BakedShells{std::move(*glb), scene.model.surface.mesh().triangles.size() +
-                                          static_cast<std::uint64_t>(layers) * shells.triangles.size()};
+                                          static_cast<std::uint64_t>(shell_count) * shells.triangles.size()};
 }
 
 }  // namespace pelage

@@ -103,7 +103,7 @@ std::vector<std::string> warnings_of_no_change(const Command& resolved) {
   if (!stroke->id.empty()) return {};
   return {
       "it changed nothing: no vertex that the mask lets change lies under the brush, or all are so already; `pick` "
-      "finds places on the surface"};
+      "finds positions on the surface"};
 }
 
 }  // namespace pelage

@@ -117,7 +117,7 @@ void amend(Service& service, Scene& scene, const Request& request, Response& res
 Result<std::vector<std::vector<Command>>> lines_of(Service& service, const Scene& scene, const Request& request) {
   if (!request.has_param("for")) return scene.effective_log();
   const auto other = service.scenes.find(request.get_param_value("for"));
-  if (!other) return failure(Code::invalid, "The server has no such scene to carry the log to.", "/for");
+  if (!other) return failure(Code::invalid, "There is no such scene to transfer the log to.", "/for");
   return scene.effective_log_for(*(*other)->model());
 }
 
@@ -126,7 +126,8 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
   if (!status.ok()) return reply_problem(response, status);
   const std::string format = request.has_param("format") ? request.get_param_value("format") : "json";
   if (format == "json" && request.has_param("for"))
-    return reply_problem(response, failure(Code::invalid, "Only lines are carried.", "/for", "with format jsonl"));
+    return reply_problem(response, failure(Code::invalid, "Only a log in lines can be transferred to another scene.",
+                                           "/for", "with format jsonl"));
   if (format == "json") return reply_uncompressed(response, "application/json", encode(Log{scene.log()}));
   if (format != "jsonl") {
     return reply_problem(response, failure(Code::invalid, "The log has no such format.", "/format", "json | jsonl"));

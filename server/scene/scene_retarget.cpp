@@ -19,7 +19,7 @@ namespace {
 
 /// Adds the number of the log's step to the message of an error.
 Status in_step(Status status, std::size_t step) {
-  status.message = "step " + std::to_string(step) + " cannot be carried to another model: " + status.message;
+  status.message = "step " + std::to_string(step) + " cannot be transferred to another model: " + status.message;
   return status;
 }
 

@@ -1,25 +1,19 @@
 #include "server/scene/scene_store.h"
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <iterator>
 #include <random>
 
-#include "base/limits.h"
 #include "protocol/json/decode.h"
 #include "protocol/json/encode.h"
 #include "protocol/json/names.h"
-#include "renderer/picture_files/picture_files.h"
-#include "server/builtin/builtin_cache.h"
-#include "server/history/journal.h"
 #include "server/import/import.h"
 #include "server/scene/creature_settings.h"
-#include "server/scene/follow_guides.h"
 #include "server/scene/foreign_scene.h"
 #include "server/scene/imported_model.h"
-#include "server/scene/map_pictures.h"
 #include "server/scene/model.h"
+#include "server/scene/scene_store_impl.h"
 
 namespace pelage {
 
@@ -34,12 +28,6 @@ std::string random_id() {
   return id;
 }
 
-/// Returns the name of the scene that keeps the old state when this one gets a new version of its model.
-std::string name_before(const SceneSummary& scene) {
-  const std::string ending = " before " + std::to_string(scene.revision + 1);
-  return scene.name.size() + ending.size() <= limits::name_bytes ? scene.name + ending : scene.name;
-}
-
 Status no_such_source() {
   return failure(Code::invalid, "the server has no such scene to take fields from", "/scene",
                  "the id of a scene of this server, not its name");
@@ -51,25 +39,6 @@ FieldDelta groom_of(const Scene& scene) {
 }
 
 }  // namespace
-
-struct SceneStore::Impl {
-  std::unique_ptr<Journal> journal;
-  std::string worker;
-  std::size_t undo_bytes = 0;  // limit for each scene
-  std::atomic<std::uint64_t> last_model{0};
-  BuiltinCache builtins;
-  OpenScenes scenes;
-
-  explicit Impl(std::size_t memory) : scenes(memory, [this](const std::string& id) { return opened(id); }) {}
-
-  Result<std::shared_ptr<const SceneModel>> model_of(const StoredScene& stored);
-  /// A scene, and the error that stopped its log from being restored completely; ok if there was none.
-  using Restored = std::pair<std::shared_ptr<Scene>, Status>;
-  Result<Restored> restored(const std::string& id);
-  Result<std::shared_ptr<Scene>> opened(const std::string& id);
-  Result<PictureAnswer> store_map(std::span<const std::byte> bytes, const Cancel& cancel);
-  Result<std::shared_ptr<Scene>> add(StoredScene stored, std::shared_ptr<const SceneModel> model, FirstGroom fur);
-};
 
 Result<std::shared_ptr<const SceneModel>> SceneStore::Impl::model_of(const StoredScene& stored) {
   const Result<RawModel> raw = decode_raw_model(std::as_bytes(std::span(stored.model.raw)));
@@ -267,39 +236,6 @@ void SceneStore::count_coats(std::function<std::size_t()> coat_bytes) {
 }
 void SceneStore::count_copies(OpenScenes::CopyBytes copy_bytes) { impl_->scenes.count_copies(std::move(copy_bytes)); }
 
-Result<SceneSummary> SceneStore::load_model(Scene& scene, const ImportOptions& options,
-                                            std::span<const std::byte> bytes, const ExecuteOptions& execute) try {
-  Result<ImportedModel> model = import_for_scene(impl_->worker, ++impl_->last_model, options, bytes, execute.cancel);
-  if (!model) return model.status();
-  return scene.replace_model(model->model, options.fur, std::move(model->stored), options.ground, execute);
-} catch (const Cancelled&) {
-  return nobody_waits();
-}
-
-Result<SceneSummary> SceneStore::load_version(Scene& scene, const ImportOptions& options,
-                                              std::span<const std::byte> bytes, ExecuteOptions execute) try {
-  const std::vector<ChosenTriangles> groom_before_log(1);  // StoredModel::subdivisions
-  const Result<ImportedModel> model =
-      import_for_scene(impl_->worker, ++impl_->last_model, with_axes_of(*scene.model(), options), bytes, execute.cancel,
-                       groom_before_log);
-  if (!model) return model.status();
-  const bool any_revision = !execute.if_match;
-  for (int tries = 3;; --tries) {
-    const SceneSummary now = scene.summary();
-    if (any_revision) execute.if_match = now.revision;
-    const auto before = branch(scene, {name_before(now), now.revision});
-    if (!before) return before.status();
-    Result<SceneSummary> summary = scene.transfer_groom_to(model->model, model->stored, execute);
-    if (summary) summary->transfer->before = (*before)->id();
-    if (summary) return summary;
-    if (Status removed = remove((*before)->id()); !removed.ok()) return removed;
-    const bool changed_meanwhile = any_revision && summary.status().code == Code::precondition;
-    if (!changed_meanwhile || tries == 0) return summary;
-  }
-} catch (const Cancelled&) {
-  return nobody_waits();
-}
-
 Result<SceneSummary> SceneStore::subdivide(Scene& scene, const Subdivide& how, const ExecuteOptions& execute) {
   return scene.subdivide(how, ++impl_->last_model, execute);
 }
@@ -341,65 +277,6 @@ Result<CommandAnswer> SceneStore::execute(Scene& scene, const std::vector<Comman
   if (!sources) return sources.status();
   options.sources = std::move(*sources);
   return scene.execute(commands, options);
-}
-
-Result<CommandAnswer> SceneStore::load_environment(Scene& scene, EnvironmentUpload how,
-                                                   std::span<const std::byte> bytes, const ExecuteOptions& execute) {
-  Result<glm::mat3> to_linear = glm::mat3(1);
-  if (!how.colour_space.empty()) to_linear = picture_files().linear_from_space(how.colour_space);
-  if (!to_linear) return to_linear.status();
-  Result<SphericalHarmonics> harmonics = import_environment(impl_->worker, bytes, cancellable_limits(execute.cancel));
-  if (!harmonics) return harmonics.status();
-  for (glm::dvec3& one : *harmonics) one = glm::dmat3(*to_linear) * one;  // valid: they are linear in the light
-  how.environment.harmonics = *harmonics;
-  return scene.execute({SetEnvironment{how.environment}}, execute);
-}
-
-Result<CommandAnswer> SceneStore::load_skin_texture(Scene& scene, std::span<const std::byte> bytes,
-                                                    const ExecuteOptions& execute) {
-  const Result<RawImage> picture = import_picture(impl_->worker, bytes, cancellable_limits(execute.cancel));
-  if (!picture) return picture.status();
-  return store_skin_texture(scene, *picture, execute);
-}
-
-Result<CommandAnswer> SceneStore::load_guides(Scene& scene, const GuideUpload& upload, std::span<const std::byte> bytes,
-                                              const ExecuteOptions& execute) {
-  const Result<GuideFile> file = import_guides(impl_->worker, upload.format, bytes, cancellable_limits(execute.cancel));
-  if (!file) return file.status();
-  return follow_guides(scene, upload, *file, execute);
-}
-
-Result<CommandAnswer> SceneStore::store_skin_texture(Scene& scene, const RawImage& picture,
-                                                     const ExecuteOptions& execute) {
-  const std::string bytes = encode_raw_image(picture);
-  const std::string name = name_of_picture(bytes);
-  if (Status kept = impl_->journal->add_picture(name, bytes); !kept.ok()) return kept;
-  return scene.execute({SetSkinTexture{name}}, execute);
-}
-
-Result<PictureAnswer> SceneStore::Impl::store_map(std::span<const std::byte> bytes, const Cancel& cancel) {
-  const Result<MapPicture> picture = import_map(worker, bytes, cancellable_limits(cancel));
-  if (!picture) return picture.status();
-  const std::string kept = encode_map_picture(*picture);
-  PictureAnswer answer{name_of_picture(kept), picture->width, picture->height, picture->bits, picture->scale};
-  if (Status written = journal->add_picture(answer.picture, kept); !written.ok()) return written;
-  return answer;
-}
-
-Result<PictureAnswer> SceneStore::store_picture(std::span<const std::byte> bytes, const Cancel& cancel) {
-  return impl_->store_map(bytes, cancel);
-}
-
-Result<CommandAnswer> SceneStore::load_map(Scene& scene, const MapUpload& upload, std::span<const std::byte> bytes,
-                                           const ExecuteOptions& execute) {
-  const Result<PictureAnswer> picture = impl_->store_map(bytes, execute.cancel);
-  if (!picture) return picture.status();
-  ApplyMap command{picture->picture, upload.field, upload.encoding, 1, upload.units, upload.strength};
-  command.tile = upload.tile;
-  if (!upload.coat.empty()) command.coats = {upload.coat};
-  command.scale = upload.scale.value_or(picture->scale.value_or(1));
-  if (!upload.scale && picture->scale) command.units = Units::relative;  // a scale stated by a file is in sizes
-  return scene.execute({command}, execute);
 }
 
 }  // namespace pelage

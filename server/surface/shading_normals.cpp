@@ -92,9 +92,9 @@ std::vector<glm::dvec3> over_rims(const std::vector<glm::vec3>& positions, const
   return sums;
 }
 
-glm::vec3 unit_or(glm::dvec3 vector, glm::vec3 otherwise) {
+glm::vec3 unit_or(glm::dvec3 vector, glm::vec3 fallback) {
   const double length = glm::length(vector);
-  return length > 0 ? glm::vec3(vector / length) : otherwise;
+  return length > 0 ? glm::vec3(vector / length) : fallback;
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-"""Finds replaced words that must not come back, since each thing has one word. docs/notes/ and CHANGELOG.md describe the past and
-may use any.
+"""Finds replaced words, so that they do not come back: each thing has one word. docs/notes/ and CHANGELOG.md describe the past and
+may use any word.
 
 usage: words.py ROOT
 """
@@ -8,12 +8,11 @@ import re
 import subprocess
 import sys
 
-# old word -> (what to say instead, pattern of the old word, pattern of the paths to search). Parts of identifiers count as
-# words: PARTS wraps each pattern.
+# Old word -> (new word, pattern of the old word, pattern of the paths to search). PARTS wraps each pattern, so that a part of an
+# identifier counts as a word.
 EVERYWHERE = r""
-CODE = r"\.(cpp|h|glsl|frag|vert)$"
 PARTS = r"(?<![A-Za-z]){}(?![a-z])"
-WORDS = {
+REPLACED = {
     "lamp": ("light", r"[lL]amps?|LAMPS?", EVERYWHERE),
     "octet": ("byte", r"[oO]ctets?(?!-stream)", EVERYWHERE),
     "FrameLayer": ("Aov", r"FrameLayers?", EVERYWHERE),
@@ -39,34 +38,34 @@ WORDS = {
     "density of a direction": ("pdf", r"environment_density|density\(to_light\)", r"^renderer/strands/"),
     "chances": ("discrete distribution", r"[cC]hances", r"^renderer/strands/"),
 }
-PATTERNS = {name: (say, re.compile(PARTS.format(f"(?:{look})")), re.compile(where)) for name, (say, look, where) in WORDS.items()}
+PATTERNS = {name: (new, re.compile(PARTS.format(f"(?:{pattern})")), re.compile(paths)) for name, (new, pattern, paths) in REPLACED.items()}
 EXEMPT = re.compile(r"^(docs/notes/|CHANGELOG\.md$|tests/arch/words\.py$|server/history/schema_upgrades\.cpp$|tests/unit/history/journal_upgrade_test\.cpp$|docs/trade/.*\.html$)")
-LOOKED_AT = re.compile(r"\.(cpp|h|glsl|frag|vert|py|sh|cmake|in|json|yaml|csv|md|txt)$")
+SEARCHED = re.compile(r"\.(cpp|h|glsl|frag|vert|comp|py|ts|tsx|mjs|sh|cmake|in|json|yaml|csv|md|txt)$")
 
 
 def hits_in(path, text):
-    """Returns (line, old word, what to say) for each old word in a file; the file's path counts as line 0."""
+    """Returns (line, old word, new word) for each old word in a file; the file's path counts as line 0."""
     found = []
-    for name, (say, pattern, where) in PATTERNS.items():
-        if not where.search(path):
+    for name, (new, pattern, paths) in PATTERNS.items():
+        if not paths.search(path):
             continue
         if pattern.search(path):
-            found.append((0, name, say))
-        found += [(text.count("\n", 0, match.start()) + 1, name, say) for match in pattern.finditer(text)]
+            found.append((0, name, new))
+        found += [(text.count("\n", 0, match.start()) + 1, name, new) for match in pattern.finditer(text)]
     return sorted(found)
 
 
 def files(root):
     listed = subprocess.run(["git", "-C", root, "ls-files"], capture_output=True, text=True, check=True).stdout
     return [name for name in listed.splitlines()
-            if LOOKED_AT.search(name) and not EXEMPT.search(name) and (pathlib.Path(root) / name).is_file()]
+            if SEARCHED.search(name) and not EXEMPT.search(name) and (pathlib.Path(root) / name).is_file()]
 
 
 def main():
     found = [(name, *hit) for name in files(sys.argv[1])
              for hit in hits_in(name, (pathlib.Path(sys.argv[1]) / name).read_text(encoding="utf-8", errors="replace"))]
-    for name, line, word, say in found:
-        print(f"{name}:{line}: {word}; say {say}")
+    for name, line, old, new in found:
+        print(f"{name}:{line}: {old}; say {new}")
     return 1 if found else 0
 
 

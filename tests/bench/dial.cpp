@@ -3,10 +3,10 @@
 //          draws the calibration's scenes with all rows and writes the model's code (renderer/quality/defaults.cpp)
 //        bench_dial judge FOLDER [--size PIXELS] [--repetitions N] [--threads N]
 //          draws models of a folder with the rows and with settings between them, and reports how often budgets and
-//          errors are kept and how far the choices are from the best ones
+//          errors are met and how far the choices are from the best ones
 // A cost is the minimum over the repetitions. Without --threads it is the CPU time of one thread, which equals the
 // wall-clock time on an idle machine. With --threads it is the wall-clock time, and `judge` first measures the
-// machine's price, as `pelage calibrate` does.
+// machine's cost factor, as `pelage calibrate` does.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ void write_defaults(const DialModel& model, const std::string& file) {
   std::string text =
       "// Written by `bench_dial fit`, then formatted.\n#include \"renderer/quality/dial_model.h\"\n\n"
       "namespace pelage {\n\nconst DialModel& default_model() {\n  static const DialModel model{\n";
-  text += fmt::format("      .prices = {{{:.4g}}},\n", fmt::join(model.prices, ", "));
+  text += fmt::format("      .coefficients = {{{:.4g}}},\n", fmt::join(model.coefficients, ", "));
   text += fmt::format("      .cost_safety = {:.3f},\n      .learnt_safety = {:.3f},\n", model.cost_safety,
                       model.learnt_safety);
   text += fmt::format("      .min_fur = {:.3g},\n      .max_fur = {:.3g},\n      .rows = {{\n", model.min_fur,
@@ -118,18 +118,18 @@ void fit_defaults(Renderer& renderer, const std::string& file, std::size_t scene
   write_defaults(fit(rows(), views), file);
 }
 
-/// How well the dial keeps its promises, over all frames.
+/// Counts how often frames stay within the dial's estimates, and how far its choices are from the best ones.
 struct Tally {
-  int kept = 0;
+  int within = 0;
   std::vector<double> ratios = {};  // error or cost of the dial's choice over that of the best candidate
 
-  void add(bool keeps, double ratio) { kept += keeps, ratios.push_back(ratio); }
+  void add(bool is_within, double ratio) { within += is_within, ratios.push_back(ratio); }
   void print(const char* what, const char* ratio) {
     std::sort(ratios.begin(), ratios.end());
     const std::size_t count = ratios.size();
     if (count)
-      fmt::print("{}: {} frames, kept {:.1f}%; {} median {:.2f}, 95% {:.2f}\n", what, count,
-                 100.0 * kept / static_cast<double>(count), ratio, ratios[count / 2], ratios[count * 95 / 100]);
+      fmt::print("{}: {} frames, within {:.1f}%; {} median {:.2f}, 95% {:.2f}\n", what, count,
+                 100.0 * within / static_cast<double>(count), ratio, ratios[count / 2], ratios[count * 95 / 100]);
   }
 };
 
@@ -176,7 +176,7 @@ void Judge::budgets(const MeasuredView& view, const CostCorrection& correction, 
   }
 }
 
-/// Tries error limits, and skips those that no candidate keeps.
+/// Tries error limits, and skips those that no candidate meets.
 void Judge::errors(const MeasuredView& view) {
   constexpr double never = 1e30;
   for (double max = 0.05; max <= 0.4; max *= 1.1) {

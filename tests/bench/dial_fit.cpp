@@ -16,7 +16,7 @@ double at_share(std::vector<double> numbers, double share) {
 }
 
 /// Least squares with x >= 0 by coordinate descent on the normal equations.
-void fit_prices(DialModel& model, std::span<const MeasuredView> views) {
+void fit_coefficients(DialModel& model, std::span<const MeasuredView> views) {
   constexpr int sweeps = 20'000;
   std::array<std::array<double, cost_terms>, cost_terms> normal{};
   std::array<double, cost_terms> right{};
@@ -30,12 +30,12 @@ void fit_prices(DialModel& model, std::span<const MeasuredView> views) {
       }
     }
   }
-  model.prices = {};
+  model.coefficients = {};
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     for (std::size_t i = 0; i < cost_terms; ++i) {
-      double rest = right[i] + normal[i][i] * model.prices[i];
-      for (std::size_t j = 0; j < cost_terms; ++j) rest -= normal[i][j] * model.prices[j];
-      if (normal[i][i] > 0) model.prices[i] = std::max(0.0, rest / normal[i][i]);
+      double rest = right[i] + normal[i][i] * model.coefficients[i];
+      for (std::size_t j = 0; j < cost_terms; ++j) rest -= normal[i][j] * model.coefficients[j];
+      if (normal[i][i] > 0) model.coefficients[i] = std::max(0.0, rest / normal[i][i]);
     }
   }
 }
@@ -59,7 +59,7 @@ void fit_all(DialModel& model, std::span<const MeasuredView> views) {
     model.min_fur = std::min(model.min_fur, view.features.fur_pixels);
     model.max_fur = std::max(model.max_fur, view.features.fur_pixels);
   }
-  fit_prices(model, views), fit_errors(model, views);
+  fit_coefficients(model, views), fit_errors(model, views);
 }
 
 /// Leave-one-out residuals: logarithms of measured over predicted values, each view by a model fitted without it.

@@ -15,10 +15,10 @@ struct MeasuredView {
   std::vector<double> error;    // mean FLIP, above 0
 };
 
-/// Fits prices (none below 0) by least squares of the relative cost error, and each row's error as a line of log(error)
-/// over log(fur length in pixels). Safety factors are such that 95% of views stay within them if the fit has not seen
-/// the view; `learnt_safety` is relative to the median of a view's rows, as with a correction learnt from the scene.
-/// Needs at least three views, each with a value for every row.
+/// Fits coefficients (none below 0) by least squares of the relative cost error, and each row's error as a line of
+/// log(error) over log(fur length in pixels). Safety factors are such that 95% of views stay within them if the fit has
+/// not seen the view; `learnt_safety` is relative to the median of a view's rows, as with a correction learnt from the
+/// scene. Needs at least three views, each with a value for every row.
 DialModel fit(std::span<const Knobs> rows, std::span<const MeasuredView> views);
 
 }  // namespace pelage::bench

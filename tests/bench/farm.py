@@ -15,7 +15,7 @@ import tempfile
 import time
 
 BIN = pathlib.Path(os.environ["PELAGE_BIN"]).resolve()
-WAYS = {"one process, one core": [("1-48", {0})], "two processes, a core each": [("1-47x2", {0}), ("2-48x2", {1})],
+SETUPS = {"one process, one core": [("1-48", {0})], "two processes, a core each": [("1-47x2", {0}), ("2-48x2", {1})],
         "one process, both cores": [("1-48", {0, 1})]}
 
 
@@ -56,11 +56,11 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         path = job(pathlib.Path(folder), options.size)
-        least = {way: float("inf") for way in WAYS}
+        seconds_of = {setup: float("inf") for setup in SETUPS}
         for _ in range(options.rounds):
-            for way, parts in WAYS.items():
-                least[way] = min(least[way], seconds(path, parts))
-                print(f"{way}: {least[way]:.1f} s, {least[next(iter(WAYS))] / least[way]:.2f} times as fast", flush=True)
+            for setup, parts in SETUPS.items():
+                seconds_of[setup] = min(seconds_of[setup], seconds(path, parts))
+                print(f"{setup}: {seconds_of[setup]:.1f} s, {seconds_of[next(iter(SETUPS))] / seconds_of[setup]:.2f} times as fast", flush=True)
         print(f"start to first frame: {min(first_frame(path) for _ in range(5)):.2f} s")
 
 

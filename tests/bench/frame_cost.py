@@ -37,7 +37,7 @@ def cost_of(scene, camera, size, tier):
     return float(re.search(r"cpu;dur=([\d.]+)", answer.headers["server-timing"])[1])
 
 
-def kept_megabytes(server):
+def copied_megabytes(server):
     text = server.call("GET", "/metrics").body.decode()
     return float(re.search(r"^pelage_scene_copies_bytes (\d+)", text, re.MULTILINE)[1]) / 2**20
 
@@ -51,7 +51,7 @@ def measure(servers, subject, options):
             cost = cost_of(scenes[title], turned(camera, 0.1 * i), options.size, tier)
             if i:
                 of_tier.append(cost)
-    megabytes = kept_megabytes(servers[""])
+    megabytes = copied_megabytes(servers[""])
     print(f"| {subject.name} | {' | '.join(f'{min(of_tier):.0f}' for of_tier in costs.values())} | {megabytes:.0f} |", flush=True)
     for title, scene in scenes.items():
         servers[title].call("DELETE", scene.path)

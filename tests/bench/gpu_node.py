@@ -60,14 +60,14 @@ def timed(path, options, frames, processes, gl, threads):
 
 def speed(options):
     cores = os.cpu_count()
-    ways = [(f"{n} processes, {options.gl}", n, options.gl, max(1, cores // n)) for n in (1, 2, 4, 8) if n <= cores]
+    setups = [(f"{n} processes, {options.gl}", n, options.gl, max(1, cores // n)) for n in (1, 2, 4, 8) if n <= cores]
     if options.gl != "osmesa":
-        ways.append((f"1 process, OSMesa, {cores} threads", 1, "osmesa", cores))
+        setups.append((f"1 process, OSMesa, {cores} threads", 1, "osmesa", cores))
     for shells in SHELLS:
         with tempfile.TemporaryDirectory() as folder:
             path = write_job(pathlib.Path(folder), options, shells, options.frames)
             base = None
-            for name, processes, gl, threads in ways:
+            for name, processes, gl, threads in setups:
                 first, frame = timed(path, options, options.frames, processes, gl, threads)
                 base = base or frame
                 print(f"{shells:12} {name:28} first {first:5.2f} s, then {frame * 1e3:7.1f} ms a frame, {base / frame:5.2f} times the first row", flush=True)

@@ -141,10 +141,10 @@ int run(const Setup& setup) {
   return 0;
 }
 
-int asked(int argc, char** argv, const char* name, int otherwise) {
+int asked(int argc, char** argv, const char* name, int fallback) {
   for (int i = 1; i + 1 < argc; ++i)
     if (std::strcmp(argv[i], name) == 0) return std::atoi(argv[i + 1]);
-  return otherwise;
+  return fallback;
 }
 
 }  // namespace

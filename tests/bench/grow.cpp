@@ -34,8 +34,9 @@ std::vector<Case> cases(int count) {
 
 void measure_case(const Case& one, const testing::FurredModel& furred, int repetitions) {
   const Mesh& mesh = furred.model.surface.mesh();
-  const FurTriangles pieces = make_fur_triangles(mesh, furred.model.patches);
-  const FurModel model{1, mesh.positions, mesh.normals, mesh.tangents, pieces.triangles, pieces.corners, {}, true};
+  const FurTriangles patch_triangles = make_fur_triangles(mesh, furred.model.patches);
+  const FurModel model{
+      1, mesh.positions, mesh.normals, mesh.tangents, patch_triangles.triangles, patch_triangles.corners, {}, true};
   FurFields fields{furred.fields.direction(), furred.fields.length(), {}};
   const std::vector<float> half(mesh.positions.size(), 0.5f);
   const std::vector<glm::vec4> colour(mesh.positions.size(), glm::vec4(0.5f));

@@ -1,5 +1,5 @@
-"""Measures how well a groom is kept on new versions of its model: a cow is groomed and gets each version, and fur is compared where
-both versions have the same skin. Run by hand; prints a table, and with FOLDER draws each version beside the original groom.
+"""Measures how well a groom is transferred to new versions of its model: a cow is groomed and gets each version, and fur is compared
+where both versions have the same skin. Run by hand; prints a table, and with FOLDER draws each version beside the original groom.
 
 usage: PELAGE_BIN=build/tests/bin python3 tests/bench/model_versions.py [FOLDER]
 """
@@ -109,7 +109,7 @@ def smooth(low, high, x):
 
 
 def versions(cow):
-    """Yields for each version: name, file, query, map of positions from the first file (None: it is gone), scale of lengths."""
+    """Yields for each version: name, file, query, map of positions from the first file (None if it is removed), scale of lengths."""
     same = lambda p: p  # noqa: E731
     neck = numpy.array([0, 0.1, 0.25])
     def nod(p):
@@ -155,7 +155,7 @@ def picked(scene, position):
     return numpy.array(pick["direction"]) * pick["inclination"], pick["length"] * scene.info()["size"], numpy.array(pick["painted"]["tip_colour"])
 
 
-def compare(before, after, positions, position_of, longer):
+def compare(before, after, positions, position_of, length_scale):
     angles, lengths, colours = [], [], []
     for p in positions:
         there = position_of(p)
@@ -164,7 +164,7 @@ def compare(before, after, positions, position_of, longer):
         old, new = picked(before, p), picked(after, there)
         cosine = old[0] @ new[0] / max(1e-12, numpy.linalg.norm(old[0]) * numpy.linalg.norm(new[0]))
         angles.append(math.degrees(math.acos(min(1, max(-1, cosine)))))
-        lengths.append(abs(new[1] / longer / old[1] - 1))
+        lengths.append(abs(new[1] / length_scale / old[1] - 1))
         colours.append(numpy.abs(new[2] - old[2]).max())
     return numpy.quantile(angles, [0.5, 0.95]), numpy.quantile(lengths, 0.95), numpy.quantile(colours, 0.95)
 
@@ -176,17 +176,17 @@ def main():
     server = Server()
     try:
         print(f"{'version':36} {'align':5} {'far':>12}  turned by, median and 95%   length 95%  colour 95%")
-        for k, (name, model, query, position_of, longer) in enumerate(versions(cow)):
+        for k, (name, model, query, position_of, length_scale) in enumerate(versions(cow)):
             scene = server.new_scene("sphere", 500)
             put = f"{scene.path}/model?format=obj"
             assert server.call("PUT", put, cow.text().encode()).status == 200
             groom(scene)
             answer = server.call("PUT", put + query, model.text().encode())
             assert answer.status == 200, answer
-            carried = answer.json["carried"]
-            before = type(scene)(server, carried["before"])
-            angle, length, colour = compare(before, scene, positions, position_of, longer)
-            print(f"{name:36} {carried['align']:5} {carried['far']:5} of {carried['vertices']:5}  {angle[0]:10.2f} {angle[1]:8.2f} degrees"
+            transfer = answer.json["carried"]
+            before = type(scene)(server, transfer["before"])
+            angle, length, colour = compare(before, scene, positions, position_of, length_scale)
+            print(f"{name:36} {transfer['align']:5} {transfer['far']:5} of {transfer['vertices']:5}  {angle[0]:10.2f} {angle[1]:8.2f} degrees"
                   f" {100 * length:9.2f}%  {colour:.3f}", flush=True)
             if folder:
                 folder.mkdir(parents=True, exist_ok=True)

@@ -22,14 +22,14 @@ namespace {
 ModelBuffers send(const Gl& gl, const testing::FurredModel& model) {
   UploadCount count;
   const Mesh& mesh = model.model.surface.mesh();
-  const FurTriangles pieces = make_fur_triangles(mesh, model.model.patches);
+  const FurTriangles patch_triangles = make_fur_triangles(mesh, model.model.patches);
   return ModelBuffers(gl,
                       {model.model.id,
                        mesh.positions,
                        mesh.normals,
                        mesh.tangents,
-                       pieces.triangles,
-                       pieces.corners,
+                       patch_triangles.triangles,
+                       patch_triangles.corners,
                        {},
                        !mesh.corners.empty()},
                       {model.fields.direction(), model.fields.length(), {}}, count);

@@ -121,7 +121,7 @@ class Tile {
   std::vector<std::vector<std::uint32_t>> grid_;
 };
 
-/// The strands of the map: the tile's roots in each piece, thinned by the piece's weight.
+/// The strands of the map: the tile's roots in each patch triangle, thinned by its weight.
 Points strands_of(const Mesh& mesh, const PatchMap& map) {
   const Tile tile;
   Points points;
@@ -183,20 +183,21 @@ void print_row(const std::string& name, const Mesh& mesh) {
   PatchMap map;
   const double seconds = seconds_of([&] { map = lay_patches(mesh); });
   std::vector<std::pair<double, double>> areas, angles;
-  double piece_area = 0, flipped = 0;
+  double patch_triangle_area = 0, flipped = 0;
   for (const PatchTriangle& patch_triangle : map.patch_triangles) {
     const Stretch stretch = stretch_of(mesh, map, patch_triangle);
     const double area = area_of(mesh, patch_triangle.triangle);
     areas.emplace_back(std::max(stretch.area(), 1 / std::max(stretch.area(), 1e-6)), area);
     angles.emplace_back(stretch.large / std::max(stretch.small, 1e-6), area);
-    piece_area += area;
+    patch_triangle_area += area;
     flipped += stretch.flipped ? area : 0;
   }
   const Spread area = spread_of(areas), angle = spread_of(angles);
   std::printf("| %s | %zu | %u | %.2f | %.2f | %.3f / %.3f | %.3f / %.3f | %.4f | %.3f | %.3f | %.2f |\n", name.c_str(),
               mesh.triangles.size(), map.patches, double(map.patch_triangles.size()) / double(mesh.triangles.size()),
-              piece_area / surface_area(mesh), area.mean, area.high, angle.mean, angle.high, flipped / piece_area,
-              density_variation(mesh, map), density_variation(mesh, with_hard_borders(map)), seconds);
+              patch_triangle_area / surface_area(mesh), area.mean, area.high, angle.mean, angle.high,
+              flipped / patch_triangle_area, density_variation(mesh, map),
+              density_variation(mesh, with_hard_borders(map)), seconds);
   std::fflush(stdout);
 }
 
@@ -237,7 +238,7 @@ std::vector<std::string> shared_files() {
 int main(int count, char** arguments) {
   using namespace pelage;
   std::puts(
-      "| model | triangles | patches | pieces / triangles | area factor | area stretch, mean / 95% | "
+      "| model | triangles | patches | patch triangles / triangles | area factor | area stretch, mean / 95% | "
       "angle stretch, mean / 95% | flipped | spread of density | with hard borders | seconds |");
   std::puts("|---|---|---|---|---|---|---|---|---|---|---|");
   const std::vector<std::string> named(arguments + 1, arguments + count);

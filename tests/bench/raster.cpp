@@ -27,7 +27,7 @@
 namespace pelage::bench {
 namespace {
 
-struct Way {
+struct Variant {
   std::string name;
   std::function<void()> work;
   FloatImage image;
@@ -155,7 +155,7 @@ struct Bench {
   }
 };
 
-void add_tiers(const Bench& bench, std::vector<Way>& ways) {
+void add_tiers(const Bench& bench, std::vector<Variant>& variants) {
   using Named = std::pair<Tier, const char*>;
   constexpr std::array tiers{Named{Tier::draft, "draft"}, Named{Tier::interactive, "interactive"},
                              Named{Tier::detailed, "detailed"}};
@@ -164,7 +164,8 @@ void add_tiers(const Bench& bench, std::vector<Way>& ways) {
     frame.knobs = knobs_of(tier);
     Renderer& renderer = bench.renderer;
     FloatImage light = std::move(renderer.draw_aovs(frame, std::array{Aov::beauty}).value()[0]);
-    ways.push_back({std::string("tier-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}});
+    variants.push_back(
+        {std::string("tier-") + name, [&renderer, frame] { draw(renderer, frame); }, std::move(light), {}});
   }
 }
 
@@ -181,7 +182,7 @@ FloatImage rasterized(const Bench& bench, const Kind& kind, RasterCounts* counts
   return kind.twice ? resized_light(light, bench.frame.width, bench.frame.height, 1) : light;
 }
 
-void add_raster(const Bench& bench, std::vector<Way>& ways) {
+void add_raster(const Bench& bench, std::vector<Variant>& variants) {
   std::vector<Kind> kinds{{{100, 1}, false}, {{100, 2}, false}, {{100, 4}, false}, {{3, 4}, false},  {{1.5, 4}, false},
                           {{1.2, 4}, false}, {{1, 4}, false},   {{0.6, 4}, false}, {{0.4, 4}, false}};
   if (const char* tried = bench.setup.tried) {
@@ -194,17 +195,17 @@ void add_raster(const Bench& bench, std::vector<Way>& ways) {
     std::array<char, 64> name{};
     std::snprintf(name.data(), name.size(), "strands-%g-%d%s", kind.quality.strands_a_pixel, kind.quality.lit_of,
                   kind.twice ? "-twice" : "");
-    Way way{name.data(), {}, {}, {}};
-    way.image = rasterized(bench, kind, &way.counts);
-    way.work = [&bench, kind] { rasterized(bench, kind, nullptr); };
-    ways.push_back(std::move(way));
+    Variant variant{name.data(), {}, {}, {}};
+    variant.image = rasterized(bench, kind, &variant.counts);
+    variant.work = [&bench, kind] { rasterized(bench, kind, nullptr); };
+    variants.push_back(std::move(variant));
   }
 }
 
-void print(const Way& way, const Cost& cost, const FloatImage& truth) {
-  std::printf("  %-24s cpu %7.1f wall %7.1f | %s", way.name.c_str(), cost.cpu, cost.wall,
-              errors_of(truth, way.image).c_str());
-  const RasterCounts& c = way.counts;
+void print(const Variant& variant, const Cost& cost, const FloatImage& truth) {
+  std::printf("  %-24s cpu %7.1f wall %7.1f | %s", variant.name.c_str(), cost.cpu, cost.wall,
+              errors_of(truth, variant.image).c_str());
+  const RasterCounts& c = variant.counts;
   if (c.strands > 0)
     std::printf(" | placed %zu lit %zu entries %zu MB %.1f", c.placed, c.lit, c.entries,
                 static_cast<double>(c.bytes) / 1e6);
@@ -231,14 +232,14 @@ int run(const Setup& setup) {
   Raster raster(1);
   const Bench bench{setup, renderer, raster, model, fur_model, fur, frame};
   bench.keep("truth", truth);
-  std::vector<Way> ways;
-  if (!setup.tried) add_tiers(bench, ways);
-  ways.reserve(ways.size() + 32);
-  add_raster(bench, ways);
+  std::vector<Variant> variants;
+  if (!setup.tried) add_tiers(bench, variants);
+  variants.reserve(variants.size() + 32);
+  add_raster(bench, variants);
   std::vector<std::function<void()>> works;
-  for (const Way& way : ways) works.push_back(way.work), bench.keep(way.name, way.image);
+  for (const Variant& variant : variants) works.push_back(variant.work), bench.keep(variant.name, variant.image);
   const std::vector<Cost> costs = measure_alternating(works, setup.repetitions);
-  for (std::size_t i = 0; i < ways.size(); ++i) print(ways[i], costs[i], truth);
+  for (std::size_t i = 0; i < variants.size(); ++i) print(variants[i], costs[i], truth);
   return 0;
 }
 

@@ -35,18 +35,19 @@ testing::FurredModel model_of(const Row& row) {
   return model;
 }
 
-/// Milliseconds that drawing a light's maps adds to a frame: the difference of the minima with new and with kept maps.
-double making(Renderer& renderer, FurFrame frame, bool layers, CastShadow cast, int repetitions) {
+/// Milliseconds that drawing a light's maps adds to a frame: the difference of the minima with new and with cached
+/// maps.
+double making(Renderer& renderer, FurFrame frame, bool shell_maps, CastShadow cast, int repetitions) {
   double min = 1e300;
-  frame.lights[0].self_shadow_maps = layers, frame.lights[0].cast_shadow = cast;
-  double min_kept = min;
+  frame.lights[0].self_shadow_maps = shell_maps, frame.lights[0].cast_shadow = cast;
+  double min_cached = min;
   for (int i = 0; i <= repetitions; ++i) {
     frame.lights[0].radiance *= 1.0001f;  // any change of a light invalidates its maps
-    DrawTimes anew, kept;
-    draw(renderer, frame, &anew), draw(renderer, frame, &kept);
-    if (i > 0) min = std::min(min, anew.draw), min_kept = std::min(min_kept, kept.draw);
+    DrawTimes anew, cached;
+    draw(renderer, frame, &anew), draw(renderer, frame, &cached);
+    if (i > 0) min = std::min(min, anew.draw), min_cached = std::min(min_cached, cached.draw);
   }
-  return min - min_kept;
+  return min - min_cached;
 }
 
 void run(Renderer& renderer, const Row& row, int size, int repetitions) {
@@ -56,17 +57,17 @@ void run(Renderer& renderer, const Row& row, int size, int repetitions) {
   request.knobs.shells.self_shadow = false;
   testing::draw(renderer, model, request);
   const FurFrame plain = make_frame(model.view(), request);
-  FurFrame kept = plain;
-  kept.knobs.shells.self_shadow = kept.knobs.shells.shadow_maps = true;
-  const double depth = making(renderer, kept, false, CastShadow::soft, repetitions);
-  const double both = making(renderer, kept, true, CastShadow::soft, repetitions);
-  kept.lights[0].self_shadow_maps = true, kept.lights[0].cast_shadow = CastShadow::soft;
-  FurFrame anew = kept;
-  const std::vector<Cost> costs = measure_alternating({[&] { draw(renderer, plain); }, [&] { draw(renderer, kept); },
+  FurFrame cached = plain;
+  cached.knobs.shells.self_shadow = cached.knobs.shells.shadow_maps = true;
+  const double depth = making(renderer, cached, false, CastShadow::soft, repetitions);
+  const double both = making(renderer, cached, true, CastShadow::soft, repetitions);
+  cached.lights[0].self_shadow_maps = true, cached.lights[0].cast_shadow = CastShadow::soft;
+  FurFrame anew = cached;
+  const std::vector<Cost> costs = measure_alternating({[&] { draw(renderer, plain); }, [&] { draw(renderer, cached); },
                                                        [&] {
                                                          anew.lights[0].radiance *= 1.0001f;
                                                          draw(renderer, anew);
-                                                         draw(renderer, kept);
+                                                         draw(renderer, cached);
                                                        }},
                                                       repetitions);
   // The third work draws two frames, each with new maps: half of its time is one frame.
@@ -87,11 +88,12 @@ int main(int count, char** arguments) {
             size = argument(count, arguments, "--size", 512);
   const BenchRenderer opened = open_renderer();
   if (!opened.renderer) return 4;
-  std::printf("%d x %d pixels, least of %d; the paper's figures in brackets\n\n", size, size, repetitions);
+  std::printf("%d x %d pixels, minimum of %d; the paper's figures in brackets\n\n", size, size, repetitions);
   std::printf(
-      "| model, triangles | layer maps, ms | depth and width maps, ms | frame without shadow, ms | with maps kept, ms "
+      "| model, triangles | shell maps, ms | depth and width maps, ms | frame without shadow, ms | with cached maps, "
+      "ms "
       "| "
-      "ratio | with maps made anew |\n|---|---|---|---|---|---|---|\n");
+      "ratio | with new maps |\n|---|---|---|---|---|---|---|\n");
   for (const Row& row : rows) run(*opened.renderer, row, size, repetitions);
   return 0;
 }

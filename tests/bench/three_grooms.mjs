@@ -30,8 +30,8 @@ class Groomer {
   async tool(name) { await this.studio.tool(name); await this.studio.panel("Tool"); }
   async preset(name) { await this.page.getByRole("button", {name, exact: true}).click(); }
   async everywhere(side) {
-    const way = side ? this.page.getByRole("group", {name: /everywhere$/}).getByRole("button", {name: side}) : this.page.getByRole("button", {name: /everywhere$/});
-    await way.click();
+    const button = side ? this.page.getByRole("group", {name: /everywhere$/}).getByRole("button", {name: side}) : this.page.getByRole("button", {name: /everywhere$/});
+    await button.click();
     await this.page.waitForTimeout(500);
   }
   async size(steps) {
@@ -53,7 +53,7 @@ class Groomer {
   }
   async coatColours() {
     await this.studio.panel("Coat");
-    await this.page.getByRole("button", {name: "Show the coat's"}).click();
+    await this.page.getByRole("button", {name: "Show the coat's colours"}).click();
   }
   async finish(name) {
     await this.look("Home");

@@ -31,7 +31,7 @@ std::string any_object(const std::vector<Member>& members, int percent = 40) {
 const Texts share{"0", "0.3", "1"}, truth{"true", "false"}, exponents{"0", "1", "40", "1e6"},
     colours{"\"#000000\"", "\"#ffffff\"", "[1, 0, 0]", "[0.2, 0.3, 0.1]"}, seeds{"0", "1", "4294967295"},
     positions{"[0, 0, 0]", "[0, 0, 1]", "[0, 0.4, 1.02]", "[0.7, 0.7, 0.7]", "[0, 1e6, 0]", "[-3, 2, 4]"},
-    ways{"[0, 0, -1]", "[0, -1, 0]", "[1, -1, -1]", "[0, 0, 1]"};
+    directions{"[0, 0, -1]", "[0, -1, 0]", "[1, -1, -1]", "[0, 0, 1]"};
 
 std::string any_coat() {
   const Texts sizes{"0.001", "0.01", "0.5"};
@@ -106,7 +106,7 @@ std::string any_look() {
 
 std::string any_light() {
   return any_object({{"kind", {"\"directional\"", "\"point\"", "\"spot\"", "\"area\""}},
-                     {"direction", ways},
+                     {"direction", directions},
                      {"position", positions},
                      {"colour", colours},
                      {"intensity", {"0", "1e-3", "1", "1e8"}},
@@ -130,7 +130,7 @@ std::string any_eye() {
   const std::string more = any_object({{"iris", {iris}},
                                        {"pupil", {pupil}},
                                        {"lids", {lids}},
-                                       {"gaze", ways},
+                                       {"gaze", directions},
                                        {"bulge", share},
                                        {"refraction", {"1", "1.376", "3"}},
                                        {"wetness", share}});
@@ -168,7 +168,7 @@ void add_settings(Texts& commands) {
   if (chance(30))
     commands.push_back(set("set_wind", "wind",
                            any_object({{"speed", {"0", "0.3", "1e6"}},
-                                       {"direction", ways},
+                                       {"direction", directions},
                                        {"gusts", {"0", "10"}},
                                        {"turbulence", {"0", "10"}},
                                        {"turbulence_scale", {"0.001", "0.2", "1000"}},
@@ -191,7 +191,7 @@ void add_strokes(Texts& commands) {
   }
   if (chance(40))
     commands.push_back(R"({"op": "comb", "flood": true, "brush": {"strength": 1}, "lean": )" + any_of(share) +
-                       R"(, "direction": )" + any_of(ways) + "}");
+                       R"(, "direction": )" + any_of(directions) + "}");
   if (chance(20))
     commands.push_back(R"({"op": "noise", "flood": true, "amount": 10, "feature_size": )" + any_of({"0", "0.1"}) + "}");
 }

@@ -11,16 +11,16 @@
 
 #include "server/frames/frame_queue.h"
 #include "tests/extremes/any_scene.h"
-#include "tests/extremes/both_ways.h"
+#include "tests/extremes/aov_checker.h"
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
 
 namespace pelage::testing::fuzz_test {
 namespace {
 
-using Layers = std::vector<FloatImage>;
+using AovImages = std::vector<FloatImage>;
 
-bool same_bits(const Layers& a, const Layers& b) {
+bool same_bits(const AovImages& a, const AovImages& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (std::memcmp(a[i].rgba.data(), b[i].rgba.data(), a[i].rgba.size() * sizeof(float)) != 0) return false;
   }
@@ -55,7 +55,7 @@ class Worker {
   Worker(Renderer& renderer, SceneStore& store, bool with_shells)
       : renderer_(renderer),
         store_(store),
-        ways_(renderer, renderer.strands_by_gl() ? max_count_by_software_gl : std::numeric_limits<int>::max()),
+        checker_(renderer, renderer.strands_by_gl() ? max_count_by_software_gl : std::numeric_limits<int>::max()),
         with_shells_(with_shells) {}
 
   void any_case() {
@@ -81,36 +81,36 @@ class Worker {
   void look_at(Scene& scene, const std::string& frame, const std::string& tracing, const std::string& other) {
     const std::optional<FrameRequest> asked = request_or_refusal(frame), between = request_or_refusal(other);
     const std::optional<FrameRequest> traced = request_or_refusal(traced_frame(tracing));
-    std::optional<Layers> drawn, strands;
+    std::optional<AovImages> drawn, strands;
     if (asked) drawn = fine("drawn", draw(scene, *asked));
-    if (traced) strands = fine_or_too_many(ways_.trace(scene, *traced));
+    if (traced) strands = fine_or_too_many(checker_.trace(scene, *traced));
     if (between) fine("between", draw(scene, *between));
     if (drawn) RC_ASSERT(same_bits(*drawn, *fine("drawn again", draw(scene, *asked))));
-    if (strands) RC_ASSERT(same_bits(*strands, *fine("strands", ways_.trace(scene, *traced))));
+    if (strands) RC_ASSERT(same_bits(*strands, *fine("strands", checker_.trace(scene, *traced))));
   }
 
   /// Draws shells only if `with_shells`, and rasterizes otherwise.
-  Result<Layers> draw(Scene& scene, FrameRequest request) {
+  Result<AovImages> draw(Scene& scene, FrameRequest request) {
     if (request.knobs.method != Method::shells || !with_shells_) request = rasterized(request);
-    return ways_.draw(scene, request);
+    return checker_.draw(scene, request);
   }
 
   /// Returns nothing if there are more strands than tracing may take, which is known only after growing them.
-  static std::optional<Layers> fine_or_too_many(Result<Layers> aovs) {
+  static std::optional<AovImages> fine_or_too_many(Result<AovImages> aovs) {
     if (!aovs && aovs.status().code == Code::too_large && aovs.status().pointer == "/quality/trace/strands") return {};
     return fine("strands", std::move(aovs));
   }
 
-  static std::optional<Layers> fine(const std::string& way, Result<Layers> aovs) {
-    if (!aovs) RC_FAIL(way + ": " + aovs.status().message + " " + aovs.status().pointer);
+  static std::optional<AovImages> fine(const std::string& method, Result<AovImages> aovs) {
+    if (!aovs) RC_FAIL(method + ": " + aovs.status().message + " " + aovs.status().pointer);
     const std::string complaint = complaint_about(*aovs);
-    if (!complaint.empty()) RC_FAIL(way + ": " + complaint);
+    if (!complaint.empty()) RC_FAIL(method + ": " + complaint);
     return std::move(aovs).value();
   }
 
   Renderer& renderer_;
   SceneStore& store_;
-  BothWays ways_;
+  AovChecker checker_;
   bool with_shells_;
   int cases_ = 0, refused_ = 0;
 };

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <tuple>
 
-#include "tests/extremes/both_ways.h"
+#include "tests/extremes/aov_checker.h"
 #include "tests/extremes/row.h"
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
@@ -32,12 +32,12 @@ class Matrix : public ::testing::TestWithParam<std::tuple<Backend, std::string>>
   Renderer* renderer_ = nullptr;
 };
 
-Status outcome_of(const Row& row, SceneStore& store, BothWays& ways, std::string& complaint) {
+Status outcome_of(const Row& row, SceneStore& store, AovChecker& checker, std::string& complaint) {
   const Result<std::shared_ptr<Scene>> scene = scene_of(row, store);
   if (!scene) return scene.status();
   const Result<FrameRequest> request = request_of(row);
   if (!request) return request.status();
-  return ways.look_at(**scene, *request, complaint);
+  return checker.look_at(**scene, *request, complaint);
 }
 
 void expect_refused(const Row& row, const Status& status) {
@@ -51,14 +51,14 @@ void expect_refused(const Row& row, const Status& status) {
 TEST_P(Matrix, IsDrawnFiniteOrRefused) {
   const auto& [backend, area] = GetParam();
   FreshStore store("pelage_matrix_" + area + std::to_string(static_cast<int>(backend)));
-  BothWays ways(*renderer_);
+  AovChecker checker(*renderer_);
   const Rows rows = rows_of(area);
   ASSERT_FALSE(rows.empty());
   std::size_t refused = 0;
   for (const Row& row : rows) {
     SCOPED_TRACE(row.area + ": " + row.value);
     std::string complaint;
-    const Status status = outcome_of(row, *store, ways, complaint);
+    const Status status = outcome_of(row, *store, checker, complaint);
     EXPECT_EQ(complaint, "");
     if (row.refused.empty()) {
       EXPECT_TRUE(status.ok()) << status.message << " " << status.pointer << " " << status.limit;
@@ -72,7 +72,7 @@ TEST_P(Matrix, IsDrawnFiniteOrRefused) {
       EXPECT_TRUE(store->remove(scene.id).ok());
     }
   }
-  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows.size(), refused, ways.pictures());
+  std::printf("%s: %zu rows, %zu refused, %zu pictures\n", area.c_str(), rows.size(), refused, checker.pictures());
 }
 
 std::string name_of_area(const ::testing::TestParamInfo<std::tuple<Backend, std::string>>& info) {

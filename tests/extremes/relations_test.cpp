@@ -13,14 +13,14 @@
 #include "base/colour_space.h"
 #include "base/random.h"
 #include "server/builtin/builtin.h"
-#include "tests/extremes/both_ways.h"
+#include "tests/extremes/aov_checker.h"
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
 
 namespace pelage::testing::relations_test {
 namespace {
 
-using Layers = std::vector<FloatImage>;
+using AovImages = std::vector<FloatImage>;
 using Move = std::function<glm::dvec3(glm::dvec3)>;
 
 std::string text_of(glm::dvec3 v) {
@@ -60,12 +60,12 @@ std::string torus(const Move& move, std::uint64_t shuffle = 0) {
 /// A row with the same view of the same upright fur, wherever `move` puts the model.
 Row moved(const Move& move, std::uint64_t shuffle = 0) {
   const glm::dvec3 origin = move({0, 0, 0});
-  const auto way = [&](glm::dvec3 v) { return json_of(glm::normalize(move(v) - origin)); };
+  const auto direction_json = [&](glm::dvec3 v) { return json_of(glm::normalize(move(v) - origin)); };
   return {.area = "relations",
           .value = "moved",
-          .commands = {R"({"op": "set_lights", "lights": [{"direction": )" + way({-1, -1, -1}) + "}]}"},
+          .commands = {R"({"op": "set_lights", "lights": [{"direction": )" + direction_json({-1, -1, -1}) + "}]}"},
           .frame = R"({"width": 48, "height": 48, "camera": {"position": )" + json_of(move({1, 2, 5})) +
-                   R"(, "target": )" + json_of(origin) + R"(, "up": )" + way({0, 1, 0}) + "}}",
+                   R"(, "target": )" + json_of(origin) + R"(, "up": )" + direction_json({0, 1, 0}) + "}}",
           .scene = R"({"fur": {"length": 0.05, "inclination": 0}})",
           .model = {torus(move, shuffle)}};
 }
@@ -73,7 +73,7 @@ Row moved(const Move& move, std::uint64_t shuffle = 0) {
 glm::dvec3 stay(glm::dvec3 v) { return v; }
 
 /// Mean red, green, blue and alpha of the beauty AOV.
-std::array<double, 4> mean_of(const Layers& aovs) {
+std::array<double, 4> mean_of(const AovImages& aovs) {
   std::array<double, 4> sum{};
   const std::vector<float>& values = aovs[0].rgba;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -81,7 +81,7 @@ std::array<double, 4> mean_of(const Layers& aovs) {
   return sum;
 }
 
-void expect_near(const Layers& a, const Layers& b, double share) {
+void expect_near(const AovImages& a, const AovImages& b, double share) {
   const auto first = mean_of(a), second = mean_of(b);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(first[k], second[k], share * second[k]) << "channel " << k;
 }
@@ -90,7 +90,7 @@ class Relations : public WithRenderer {
  protected:
   void SetUp() override {
     WithRenderer::SetUp();
-    if (renderer) ways_.emplace(*renderer);
+    if (renderer) checker_.emplace(*renderer);
   }
 
   FrameRequest request(const Row& row, bool strands) const {
@@ -101,22 +101,22 @@ class Relations : public WithRenderer {
     }
     return asked;
   }
-  Layers pictured(const Row& row, bool strands) {
+  AovImages pictured(const Row& row, bool strands) {
     const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
     const FrameRequest asked = request(row, strands);
-    return strands ? ways_->trace(*scene, asked).value() : ways_->draw(*scene, asked).value();
+    return strands ? checker_->trace(*scene, asked).value() : checker_->draw(*scene, asked).value();
   }
 
   FreshStore store_{"pelage_relations" + std::to_string(static_cast<int>(GetParam()))};
-  std::optional<BothWays> ways_;
+  std::optional<AovChecker> checker_;
 };
 
 TEST_P(Relations, AModelOfAnySizeLooksTheSame) {
   for (const bool strands : {false, true}) {
-    const Layers here = pictured(moved(stay), strands);
+    const AovImages here = pictured(moved(stay), strands);
     EXPECT_GT(mean_of(here)[3], 0.1);
     for (const double scale : {1.0 / 1048576, 1024.0}) {
-      const Layers there = pictured(moved([&](glm::dvec3 v) { return scale * v; }), strands);
+      const AovImages there = pictured(moved([&](glm::dvec3 v) { return scale * v; }), strands);
       EXPECT_EQ(here[0].rgba, there[0].rgba) << scale;
     }
   }
@@ -124,7 +124,7 @@ TEST_P(Relations, AModelOfAnySizeLooksTheSame) {
 
 TEST_P(Relations, AModelLooksTheSameWhereverItStands) {
   for (const bool strands : {false, true}) {
-    const Layers here = pictured(moved(stay), strands);
+    const AovImages here = pictured(moved(stay), strands);
     expect_near(pictured(moved([](glm::dvec3 v) { return v + glm::dvec3(100, -50, 20); }), strands), here, 0.01);
     expect_near(pictured(moved([](glm::dvec3 v) { return glm::dvec3(v.z, v.y, -v.x); }), strands), here, 0.03);
   }
@@ -175,11 +175,11 @@ double linear(std::uint8_t value) { return linear_from_srgb(value / 255.0); }
 TEST_P(Relations, AnotherBackgroundLeavesTheFur) {
   const std::shared_ptr<Scene> scene = scene_of(moved(stay), *store_).value();
   FrameRequest asked = request(moved(stay), false);
-  const Layers aovs = ways_->draw(*scene, asked).value();
+  const AovImages aovs = checker_->draw(*scene, asked).value();
   asked.tone_map = ToneMap::none;
   const auto shown = [&](glm::vec3 colour) {
     asked.background = Background::colour, asked.background_colour = colour;
-    return ways_->show(*scene, asked).value();
+    return checker_->show(*scene, asked).value();
   };
   const Image red = shown({1, 0, 0}), green = shown({0, 1, 0});
   double max = 0;
@@ -199,7 +199,7 @@ TEST_P(Relations, DoublingTheShellsShrinksTheError) {
   asked.knobs.method = Method::shells, asked.knobs.shells.order = FragmentOrder::sorted;
   const auto with = [&](int shells) {
     asked.knobs.shells.count = shells;
-    return ways_->draw(*scene, asked).value()[0].rgba;
+    return checker_->draw(*scene, asked).value()[0].rgba;
   };
   const std::vector<float> truth = with(512);
   double before = 1e9;

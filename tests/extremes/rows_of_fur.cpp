@@ -122,9 +122,9 @@ Rows fur_rows() {
   rows.push_back(of_quality("0 shells", R"("method": "shells", "shells": {"count": 0})", "/quality/shells/count"));
   rows.push_back(
       of_quality("1,025 shells", R"("method": "shells", "shells": {"count": 1025})", "/quality/shells/count"));
-  for (const char* way : {"[0, 1, 0]", "[0, -1, 0]"}) {
-    rows.push_back(
-        of_fur(std::string("combed towards ") + way + ", along or against the normal at the poles", {flood_comb(way)}));
+  for (const char* direction : {"[0, 1, 0]", "[0, -1, 0]"}) {
+    rows.push_back(of_fur(std::string("combed towards ") + direction + ", along or against the normal at the poles",
+                          {flood_comb(direction)}));
   }
   rows.push_back(of_fur("strokes that cancel",
                         {flood_comb("[1, 0, 0]"), flood_comb("[-1, 0, 0]", R"(, "brush": {"strength": 0.5})")}));

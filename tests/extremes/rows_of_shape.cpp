@@ -87,7 +87,7 @@ Rows mesh_rows() {
           of_file("a triangle of no area beside others", plain + "v 2 0 0\nf 1 2 5\n"),
           of_file("sliver of height 1e-12", "v 0 0 0\nv 1 0 0\nv 0.5 1e-12 0\nf 1 2 3\n"),
           {.area = "mesh",
-           .value = "sliver of height 1e-12 that meets a pixel's middle",
+           .value = "sliver of height 1e-12 that covers a pixel's middle",
            .frame = R"({"width": 7, "height": 9, "quality": {"scale": 2}})",
            .model = {"v 0 0 0\nv 1 0 0\nv 0.5 1e-12 0\nf 1 2 3\n"}},
           of_file("sliver of height 1e-12 beside others", plain + "v 0.5 -1e-12 0\nf 1 2 5\n"),

@@ -56,31 +56,30 @@ void add_lights_at_positions(Rows& rows, const std::string& kind, const std::str
   }
 }
 
-}  // namespace
+const std::string spot_above = R"("kind": "spot", "direction": [0, -1, 0], "intensity": 10, "position": )";
+const std::string sun = R"("direction": [0, -1, 0])";
 
-Rows light_rows() {
-  Rows rows;
-  add_lights_at_positions(rows, "point", "");
-  add_lights_at_positions(rows, "spot", R"(, "direction": [0, 0, -1], "cone_degrees": 90)");
-  add_lights_at_positions(rows, "area", R"(, "direction": [0, 0, -1])");
-  const std::string above = R"("kind": "spot", "direction": [0, -1, 0], "intensity": 10, "position": )";
-  const std::string sun = R"("direction": [0, -1, 0])";
+void add_shadow_maps(Rows& rows) {
   rows.push_back(
-      of_light("shadow map of 1 x 1, a spot", above + "[0, 3, 0]" + all_shadows, R"(, "shadow_resolution": 1)"));
+      of_light("shadow map of 1 x 1, a spot", spot_above + "[0, 3, 0]" + all_shadows, R"(, "shadow_resolution": 1)"));
   rows.push_back(of_light("shadow map of 1 x 1, a sun", sun + all_shadows, R"(, "shadow_resolution": 1)"));
   rows.push_back(
       of_light("shadow map of 1 x 1, hard", sun + R"(, "cast_shadow": "hard")", R"(, "shadow_resolution": 1)"));
   for (const char* position : {"[0, 1.0000001, 0]", "[0, 1.05, 0]", "[0, 1.1733, 0]"}) {
     rows.push_back(of_light(std::string("a caster on the near plane: spot at ") + position,
-                            above + position + all_shadows, R"(, "shadow_resolution": 64)"));
+                            spot_above + position + all_shadows, R"(, "shadow_resolution": 64)"));
     for (const std::string edge : {"hard", "penumbra"}) {
       rows.push_back(of_light("the same, " + edge + ": spot at " + position,
-                              above + position + R"(, "cast_shadow": ")" + edge + '"', R"(, "shadow_resolution": 64)"));
+                              spot_above + position + R"(, "cast_shadow": ")" + edge + '"',
+                              R"(, "shadow_resolution": 64)"));
     }
   }
-  rows.push_back(of_light("a spot of 0.1 degrees", above + R"([0, 3, 0], "cone_degrees": 0.1)" + all_shadows));
+  rows.push_back(of_light("a spot of 0.1 degrees", spot_above + R"([0, 3, 0], "cone_degrees": 0.1)" + all_shadows));
   rows.push_back(of_light("shadow scale 0", sun + all_shadows + R"(, "shadow_scale": 0)"));
   rows.push_back(of_light("shadow scale 1000", sun + all_shadows + R"(, "shadow_scale": 1000)"));
+}
+
+void add_penumbras(Rows& rows) {
   const std::string penumbra = R"(, "cast_shadow": "penumbra")";
   rows.push_back(of_light("shadow map of 1 x 1, penumbra", sun + penumbra, R"(, "shadow_resolution": 1)"));
   for (const char* angle : {"0", "90"})
@@ -88,17 +87,23 @@ Rows light_rows() {
                             sun + penumbra + R"(, "angle_degrees": )" + angle));
   for (const char* radius : {"0", "10"})
     rows.push_back(of_light(std::string("penumbra of a spot of radius ") + radius,
-                            above + R"([0, 3, 0], "radius": )" + radius + penumbra));
+                            spot_above + R"([0, 3, 0], "radius": )" + radius + penumbra));
   rows.push_back(
       of_light("a sun that spans 90 degrees, intensity 1e8", sun + R"(, "angle_degrees": 90, "intensity": 1e8)"));
+}
+
+void add_refused_lights(Rows& rows) {
   rows.push_back(of_light("intensity over 1e8", R"("intensity": 1.1e8)", "", "/lights/0/intensity"));
   rows.push_back(of_light("intensity below 0", R"("intensity": -1)", "", "/lights/0/intensity"));
   rows.push_back(of_light("a direction of no length", R"("direction": [0, 0, 0])", "", "/lights/0/direction"));
   rows.push_back(
-      of_light("a place beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
+      of_light("a position beyond 1e27", R"("kind": "point", "position": [1e28, 0, 0])", "", "/lights/0/position/0"));
   rows.push_back(
       of_light("shadow map of 0 x 0", sun, R"(, "shadow_resolution": 0)", "/quality/shells/shadow_resolution"));
-  Row eight = of_light("eight lights of 1e8 at one place", "");
+}
+
+void add_many_lights(Rows& rows) {
+  Row eight = of_light("eight lights of 1e8 at one position", "");
   std::string lights;
   for (int i = 0; i < 8; ++i)
     lights += std::string(i ? ", " : "") +
@@ -109,6 +114,9 @@ Rows light_rows() {
   nine.value = "nine lights", nine.refused = "/lights";
   nine.commands = {R"({"op": "set_lights", "lights": [{}, )" + lights + "]}"};
   rows.push_back(nine);
+}
+
+void add_harmonics(Rows& rows) {
   for (const char* harmonic : {"-1e6", "1e6"}) {
     const std::string one = std::string("[") + harmonic + ", " + harmonic + ", 1]";
     std::string nine_of_them = one;
@@ -118,6 +126,20 @@ Rows light_rows() {
                     "]}}"};
     rows.push_back(row);
   }
+}
+
+}  // namespace
+
+Rows light_rows() {
+  Rows rows;
+  add_lights_at_positions(rows, "point", "");
+  add_lights_at_positions(rows, "spot", R"(, "direction": [0, 0, -1], "cone_degrees": 90)");
+  add_lights_at_positions(rows, "area", R"(, "direction": [0, 0, -1])");
+  add_shadow_maps(rows);
+  add_penumbras(rows);
+  add_refused_lights(rows);
+  add_many_lights(rows);
+  add_harmonics(rows);
   return rows;
 }
 

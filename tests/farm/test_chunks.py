@@ -23,9 +23,9 @@ class Ranges(unittest.TestCase):
             self.assertEqual(range_of(frames), text)
 
     def test_what_is_written_reads_back(self):
-        chance = random.Random(1)
+        rng = random.Random(1)
         for _ in range(2000):
-            frames = sorted(chance.sample(range(-30, 60), chance.randint(1, 40)))
+            frames = sorted(rng.sample(range(-30, 60), rng.randint(1, 40)))
             self.assertEqual(frames_of(range_of(frames)), frames)
 
 
@@ -41,10 +41,10 @@ class Chunks(unittest.TestCase):
             self.assertLessEqual(max(sizes) - min(sizes), 1)
 
     def test_no_frame_is_lost_or_drawn_twice(self):
-        chance = random.Random(2)
+        rng = random.Random(2)
         for _ in range(500):
-            frames = list(range(1, chance.randint(2, 3000)))
-            chunks = chunks_of(frames, chance.uniform(0.01, 300), chance.uniform(1, 600), chance.randint(0, 50))
+            frames = list(range(1, rng.randint(2, 3000)))
+            chunks = chunks_of(frames, rng.uniform(0.01, 300), rng.uniform(1, 600), rng.randint(0, 50))
             self.assertEqual([frame for chunk in chunks for frame in chunk], frames)
             self.assertLessEqual(len(chunks), MAX_CHUNKS)
             self.assertNotIn([], chunks)
@@ -60,13 +60,13 @@ class Chunks(unittest.TestCase):
     def test_tiles_are_chunks_of_their_own(self):
         chunks = tiled_chunks_of([1, 2, 3], 2, 100, 100, 1)
         self.assertEqual([(chunk.frames, chunk.tile) for chunk in chunks], [([1], 1), ([1], 2), ([2, 3], 1), ([2, 3], 2)])
-        chance = random.Random(3)
+        rng = random.Random(3)
         for _ in range(50):
-            frames, tiles = list(range(1, chance.randint(2, 100))), chance.randint(1, 256)
-            chunks = tiled_chunks_of(frames, tiles, chance.uniform(0.01, 3000), chance.uniform(1, 600), chance.randint(0, 50))
+            frames, tiles = list(range(1, rng.randint(2, 100))), rng.randint(1, 256)
+            chunks = tiled_chunks_of(frames, tiles, rng.uniform(0.01, 3000), rng.uniform(1, 600), rng.randint(0, 50))
             self.assertLessEqual(len(chunks), MAX_CHUNKS)
-            pieces = sorted((frame, chunk.tile) for chunk in chunks for frame in chunk.frames)
-            self.assertEqual(pieces, [(frame, tile) for frame in frames for tile in range(1, tiles + 1)])
+            parts = sorted((frame, chunk.tile) for chunk in chunks for frame in chunk.frames)
+            self.assertEqual(parts, [(frame, tile) for frame in frames for tile in range(1, tiles + 1)])
             self.assertEqual([chunk_from(chunk.to_text()) for chunk in chunks], chunks)
         self.assertEqual({chunk.tile for chunk in tiled_chunks_of([1, 2], 0, 1, 1, 1)}, {0})
 

@@ -77,7 +77,7 @@ class Engines(FarmTest):
         self.assertEqual(used, known)
         self.assertEqual(step["hostRequirements"], {"amounts": [{"name": "amount.worker.vcpu", "min": 2}]})
 
-    def test_tiles_are_told_to_open_job_description(self):
+    def test_tiles_become_a_parameter_of_open_job_description(self):
         job = self.write_job(frames="1-2", tiles={"columns": 2, "rows": 1})
         self.farm("submit", job, "--engine", "openjd", "--dry-run")
         template = yaml.safe_load((self.folder / "ball.farm" / "template.yaml").read_text())

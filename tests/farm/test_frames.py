@@ -54,8 +54,8 @@ class Frames(FarmTest):
         self.path(7).write_bytes(damaged)
         wanted = {1: "missing", 2: "short", 3: "short", 4: "size", 5: "black", 6: "stale", 7: "short"}
         self.assertEqual(self.kinds(), wanted)
-        told = json.loads(self.farm("check", self.made.path, "--json", code=1).stdout)
-        self.assertEqual({one["frame"]: one["kind"] for one in told["faults"]}, wanted)
+        report = json.loads(self.farm("check", self.made.path, "--json", code=1).stdout)
+        self.assertEqual({one["frame"]: one["kind"] for one in report["faults"]}, wanted)
         said = self.farm("check", self.made.path, code=1).stdout
         self.assertIn("8 frames, 7 with faults: 1-7", said)
         self.assertIn("ball.0001.png: missing", said)

@@ -12,7 +12,7 @@
 namespace pelage::testing::aovs_test {
 namespace {
 
-class Layers : public WithRenderer {
+class AovFrames : public WithRenderer {
  protected:
   std::vector<FloatImage> aovs_of(const FurredModel& model, const FrameRequest& request, std::vector<Aov> aovs) {
     const VertexRange all{0, static_cast<std::uint32_t>(model.fields.size())};
@@ -27,7 +27,7 @@ glm::vec3 pixel(const FloatImage& image, std::size_t i) {
   return {image.rgba[4 * i], image.rgba[4 * i + 1], image.rgba[4 * i + 2]};
 }
 
-TEST_F(Layers, DepthIsWhereOpacityCrossesHalf) {
+TEST_F(AovFrames, DepthIsWhereOpacityCrossesHalf) {
   const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3}));
   FrameRequest request = small_frame(AutoView::front, 192);
   for (const double strands : {0.4, 1.5, 1000.0}) {
@@ -49,7 +49,7 @@ TEST_F(Layers, DepthIsWhereOpacityCrossesHalf) {
 }
 
 // Between a lit knot and a shadowed one, light may change by more or less than half floats can hold.
-TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
+TEST_F(AovFrames, LightsOfAnyBrightnessHaveShadows) {
   FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.08, .inclination = 0.3}));
   for (const double intensity : {1e-8, 1.0, 1e8}) {
     for (Light& light : model.settings.lights) light.intensity = intensity;
@@ -59,7 +59,7 @@ TEST_F(Layers, LightsOfAnyBrightnessHaveShadows) {
   }
 }
 
-TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
+TEST_F(AovFrames, DenseShortFurLiesOnTheSphere) {
   FurredModel model = coarse(furred({Builtin::sphere, 4000}, {.length = 0.004, .inclination = 0}));
   model.settings.coats[0].coat.bend = 0;
   const FrameRequest request = small_frame();
@@ -84,7 +84,7 @@ TEST_F(Layers, DenseShortFurLiesOnTheSphere) {
   EXPECT_GT(upright / seen, 0.9);
 }
 
-TEST_F(Layers, WithoutAmbientAllLightIsDirect) {
+TEST_F(AovFrames, WithoutAmbientAllLightIsDirect) {
   FurredModel model = coarse(furred({Builtin::torus, 1000}));
   FrameRequest request = small_frame();
   for (const ShadingModel shading : {ShadingModel::kajiya, ShadingModel::lengyel, ShadingModel::marschner}) {
@@ -103,7 +103,7 @@ TEST_F(Layers, WithoutAmbientAllLightIsDirect) {
   }
 }
 
-TEST_F(Layers, ShadowIsTheShareOfLightThatIsLeft) {
+TEST_F(AovFrames, ShadowIsTheShareOfLightThatIsLeft) {
   const FurredModel model = coarse(furred({Builtin::torus, 1000}));
   const auto images = aovs_of(model, small_frame(), {Aov::direct, Aov::shadow});
   double shares = 0, count = 0;
@@ -118,7 +118,7 @@ TEST_F(Layers, ShadowIsTheShareOfLightThatIsLeft) {
   EXPECT_LT(shares / count, 0.95);
 }
 
-TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
+TEST_F(AovFrames, StrandsAreNamedWithTheirRoots) {
   const float length = 0.06f;
   const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = length, .inclination = 0.4}));
   FrameRequest request = small_frame();
@@ -145,7 +145,7 @@ TEST_F(Layers, StrandsAreNamedWithTheirRoots) {
   EXPECT_GT(roots.size(), 500u);
 }
 
-TEST_F(Layers, StrandsAreNamedAlikeInAllFramesOfACoat) {
+TEST_F(AovFrames, StrandsAreNamedAlikeInAllFramesOfACoat) {
   const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4}));
   const auto roots_of = [&](AutoView view) {
     const auto images = aovs_of(model, small_frame(view), {Aov::strand, Aov::root});
@@ -165,13 +165,13 @@ TEST_F(Layers, StrandsAreNamedAlikeInAllFramesOfACoat) {
   EXPECT_GT(both, 100);
 }
 
-TEST_F(Layers, BareSkinNamesNoStrand) {
+TEST_F(AovFrames, BareSkinNamesNoStrand) {
   FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0}));
   const auto images = aovs_of(model, small_frame(), {Aov::strand});
   for (std::size_t i = 0; i < images[0].rgba.size(); i += 4) ASSERT_EQ(images[0].rgba[i], 0);
 }
 
-TEST_F(Layers, CountTheSegments) {
+TEST_F(AovFrames, CountTheSegments) {
   FurredModel model = furred({Builtin::plane, 200}, {.length = 0.05, .inclination = 0.3});
   FrameRequest request = small_frame(AutoView::top);
   const auto mean = [&](double strands) {
@@ -186,7 +186,7 @@ TEST_F(Layers, CountTheSegments) {
   EXPECT_GT(many, 1.4 * few);
 }
 
-TEST_F(Layers, BeautyIsTheSameWithAndWithoutOthers) {
+TEST_F(AovFrames, BeautyIsTheSameWithAndWithoutOthers) {
   const FurredModel model = coarse(furred({Builtin::creature, 2000}));
   FrameRequest request = small_frame();
   request.knobs.scale = 0.6;
@@ -200,7 +200,7 @@ TEST_F(Layers, BeautyIsTheSameWithAndWithoutOthers) {
   }
 }
 
-TEST_F(Layers, SixteenBitsAreTheSamePictureWithMoreSteps) {
+TEST_F(AovFrames, SixteenBitsAreTheSamePictureWithMoreSteps) {
   const FurredModel model = coarse(furred({Builtin::creature, 2000}));
   const FrameRequest request = small_frame();
   const Image image = draw(*renderer, model, request);
@@ -211,7 +211,7 @@ TEST_F(Layers, SixteenBitsAreTheSamePictureWithMoreSteps) {
   for (std::size_t i = 0; i < image.rgba.size(); ++i) ASSERT_NEAR(deep->rgba[i] / 257.0, image.rgba[i], 0.51);
 }
 
-TEST_F(Layers, TheStudioIsDarkerInTheCornersAndHasNoBands) {
+TEST_F(AovFrames, TheStudioIsDarkerInTheCornersAndHasNoBands) {
   const FurredModel model = coarse(furred({Builtin::sphere, 500}, {.length = 0.02}));
   FrameRequest request = small_frame(AutoView::front, 256);
   request.background = Background::studio;
@@ -230,7 +230,7 @@ TEST_F(Layers, TheStudioIsDarkerInTheCornersAndHasNoBands) {
   EXPECT_EQ(image.rgba, draw(*renderer, model, request).rgba);
 }
 
-TEST_F(Layers, OverlaysShowOnTheFurAlone) {
+TEST_F(AovFrames, OverlaysShowOnTheFurAlone) {
   const FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.04, .inclination = 0.8}));
   FrameRequest request = small_frame();
   const Image plain = draw(*renderer, model, request);
@@ -247,7 +247,7 @@ TEST_F(Layers, OverlaysShowOnTheFurAlone) {
 }
 
 /// The albedo is what fur of one colour reflects under any light, multiplied by alpha like the beauty.
-TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
+TEST_F(AovFrames, AlbedoIsTheColourOfTheCoat) {
   FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.05, .inclination = 0.4}));
   const glm::vec3 colour(0.6f, 0.3f, 0.12f);
   model.settings.coats[0].coat.ramp = {{0, colour}};
@@ -261,7 +261,7 @@ TEST_F(Layers, AlbedoIsTheColourOfTheCoat) {
 }
 
 /// On the screen, hues go counter-clockwise: red to the right, then yellow, green, blue and violet.
-TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
+TEST_F(AovFrames, HueTurnsWithTheDirectionOnTheScreen) {
   FurredModel model = coarse(furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 0}));
   model.settings.coats[0].coat.ramp = {{0, glm::vec3(0.2f)}};
   FrameRequest request = small_frame(AutoView::top);
@@ -288,7 +288,7 @@ TEST_F(Layers, HueTurnsWithTheDirectionOnTheScreen) {
 }
 
 /// Strokes run along the fur, so the picture changes less along them than across.
-TEST_F(Layers, StrokesRunAlongTheFur) {
+TEST_F(AovFrames, StrokesRunAlongTheFur) {
   const FurredModel model = coarse(furred({Builtin::plane, 200}, {.length = 0.02, .inclination = 1}));
   FrameRequest request = small_frame(AutoView::top, 192);
   request.background = Background::colour;
@@ -313,7 +313,7 @@ TEST_F(Layers, StrokesRunAlongTheFur) {
   EXPECT_GT(level ? along : across, 1.8 * (level ? across : along));
 }
 
-TEST_F(Layers, HueFollowsTheDirection) {
+TEST_F(AovFrames, HueFollowsTheDirection) {
   const FurredModel lying = coarse(furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 1}));
   const FurredModel standing = coarse(furred({Builtin::plane, 200}, {.length = 0.03, .inclination = 0}));
   FrameRequest request = small_frame(AutoView::top);
@@ -332,7 +332,7 @@ FurredModel with_eye() {
   return model;
 }
 
-TEST_F(Layers, HoldEyes) {
+TEST_F(AovFrames, HoldEyes) {
   const FurredModel model = with_eye();
   FrameRequest request = small_frame();
   const FurFrame frame = make_frame(model.view(), request);
@@ -357,7 +357,7 @@ TEST_F(Layers, HoldEyes) {
   EXPECT_GT(seen, 200);
 }
 
-TEST_F(Layers, WithoutAmbientAnEyesLightIsDirect) {
+TEST_F(AovFrames, WithoutAmbientAnEyesLightIsDirect) {
   FurredModel model = with_eye();
   model.settings.look.ambient = 0;
   FrameRequest request = small_frame();
@@ -368,7 +368,7 @@ TEST_F(Layers, WithoutAmbientAnEyesLightIsDirect) {
               2e-3f);  // highlight edges are steep, and the two programs round differently
 }
 
-TEST_F(Layers, HoldCurves) {
+TEST_F(AovFrames, HoldCurves) {
   FurredModel model = coarse(furred({Builtin::sphere, 1000}, {.length = 0.02}));
   const Mesh& mesh = model.model.surface.mesh();
   CurveGroup group;

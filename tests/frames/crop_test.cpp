@@ -40,7 +40,7 @@ void expect_crops_of_the_whole(Drawer& drawer, const FurFrame& frame) {
   constexpr std::array aovs{Aov::beauty, Aov::normal, Aov::depth};
   const Image picture = drawer.draw(frame).value();
   const Image16 deep = drawer.draw_deep(frame).value();
-  const std::vector<FloatImage> layers = drawer.draw_aovs(frame, aovs).value();
+  const std::vector<FloatImage> aov_images = drawer.draw_aovs(frame, aovs).value();
   const Pause pause = [] { return true; };
   for (const Crop& crop : crops()) {
     FurFrame part = frame;
@@ -52,7 +52,7 @@ void expect_crops_of_the_whole(Drawer& drawer, const FurFrame& frame) {
     EXPECT_TRUE(drawer.draw(part, nullptr, pause)->rgba == crop_of(picture, crop).rgba);
     EXPECT_TRUE(drawer.draw_deep(part)->rgba == crop_of(deep, crop).rgba);
     const std::vector<FloatImage> parts = drawer.draw_aovs(part, aovs).value();
-    for (std::size_t i = 0; i < aovs.size(); ++i) EXPECT_TRUE(parts[i].rgba == crop_of(layers[i], crop).rgba) << i;
+    for (std::size_t i = 0; i < aovs.size(); ++i) EXPECT_TRUE(parts[i].rgba == crop_of(aov_images[i], crop).rgba) << i;
   }
 }
 

@@ -58,8 +58,8 @@ class GroomedFrames : public ::testing::Test {
     const Mesh& mesh = model.model.surface.mesh();
     for (std::size_t v = 0; v < 200; v += 40) {
       const glm::dvec3 root = glm::dvec3(mesh.positions[v]) * mesh.size + mesh.centre,
-                       way = glm::dvec3(mesh.normals[v]) * mesh.size;
-      group.curves.push_back({root, root + 0.03 * way, root + 0.04 * way + glm::dvec3(0.2, 0, 0.1) * mesh.size});
+                       normal = glm::dvec3(mesh.normals[v]) * mesh.size;
+      group.curves.push_back({root, root + 0.03 * normal, root + 0.04 * normal + glm::dvec3(0.2, 0, 0.1) * mesh.size});
     }
     model.settings.curves = {group};
     return model;

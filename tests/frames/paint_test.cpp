@@ -55,14 +55,14 @@ glm::dvec3 colour_at(const Image& image, glm::dvec2 position, int reach = 6) {
   return sum / (4.0 * reach * reach);
 }
 
-TEST_F(PaintedFrames, TouchedButAtRestGivesTheSamePicture) {
+TEST_F(PaintedFrames, FieldsSetBackToTheirDefaultsGiveTheSamePicture) {
   FurredModel model = ball();
   model.settings.coats[0].coat.guard_hairs = 2000;
   const Image before = drawn(model);
   for (std::size_t i = first_painted; i < field_count; ++i) {  // changed, then set back to the default
-    const float rest = field_shapes[i].default_value;
-    flood(model, field_at(i), glm::vec4(field_shapes[i].channels == 1 ? rest * 0.5f + 0.25f : 0.5f));
-    flood(model, field_at(i), field_shapes[i].channels == 1 ? glm::vec4(rest, 0, 0, 0) : glm::vec4(0));
+    const float default_value = field_shapes[i].default_value;
+    flood(model, field_at(i), glm::vec4(field_shapes[i].channels == 1 ? default_value * 0.5f + 0.25f : 0.5f));
+    flood(model, field_at(i), field_shapes[i].channels == 1 ? glm::vec4(default_value, 0, 0, 0) : glm::vec4(0));
   }
   ASSERT_FALSE(model.fields.at_default(Field::clump));
   const Image after = drawn(model);
@@ -254,16 +254,16 @@ TEST_F(PaintedFrames, AnAbruptEdgeKeepsBothSides) {
 TEST_F(PaintedFrames, ShadowsSeeThem) {
   FurredModel model = ball();
   model.settings.lights = {{.direction = {0, 0, -1}}};
-  const auto light_kept = [&] {  // at the middle of the picture
+  const auto light_share = [&] {  // at the middle of the picture
     drawn(model);
     const auto images = renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::shadow});
     EXPECT_TRUE(images.ok());
     const FloatImage& image = images->front();
     return image.rgba[4 * static_cast<std::size_t>(image.height / 2 * image.width + image.width / 2)];
   };
-  EXPECT_LT(light_kept(), 0.9f);
+  EXPECT_LT(light_share(), 0.9f);
   flood(model, Field::density, 0.0f);
-  EXPECT_GT(light_kept(), 0.99f) << "fur that is not there shadows the skin";
+  EXPECT_GT(light_share(), 0.99f) << "fur that is not there shadows the skin";
 }
 
 TEST_F(PaintedFrames, OverlaysShowThem) {

@@ -56,15 +56,15 @@ TEST_F(RasterViews, AStrokeBehindTheCameraOrBesideItDrawsLittle) {
   FurredModel model = furred({Builtin::creature, 20000});
   model.settings.ground.visible = false;
   const Mesh& mesh = model.model.surface.mesh();
-  const glm::dvec3 eye(0, 0.3, 0), way = glm::normalize(glm::dvec3(0, -0.5, 1));
+  const glm::dvec3 camera(0, 0.3, 0), direction = glm::normalize(glm::dvec3(0, -0.5, 1));
   request.camera.automatic = AutoView::none, request.camera.fov_degrees = 60;
-  request.camera.position = eye * mesh.size + mesh.centre;
-  request.camera.target = (eye + way) * mesh.size + mesh.centre;
+  request.camera.position = camera * mesh.size + mesh.centre;
+  request.camera.target = (camera + direction) * mesh.size + mesh.centre;
   drawn(model);
   int changed = 0, little = 0;
   for (std::uint32_t v = 0; v < mesh.positions.size() && changed < 12; v += 97) {
-    const glm::dvec3 apart = glm::dvec3(mesh.positions[v]) - eye;
-    const double forward = glm::dot(apart, way), aside = glm::length(apart - forward * way);
+    const glm::dvec3 apart = glm::dvec3(mesh.positions[v]) - camera;
+    const double forward = glm::dot(apart, direction), aside = glm::length(apart - forward * direction);
     if (forward > 0.02 || aside < 0.1) continue;
     model.fields.set(Field::direction, v, {0.5f, 0.3f, 0, 0});
     const Drawn part = drawn(model, {{v, v + 1}});
@@ -79,10 +79,10 @@ TEST_F(RasterViews, AStrokeBehindTheCameraOrBesideItDrawsLittle) {
 TEST_F(RasterViews, WhatIsNearIsDrawnWholeWhenAnyOfItChanges) {
   FurredModel model = furred({Builtin::creature, 20000});
   const Mesh& mesh = model.model.surface.mesh();
-  const glm::dvec3 eye(0, 0.3, 0);
+  const glm::dvec3 camera(0, 0.3, 0);
   request.camera.automatic = AutoView::none, request.camera.fov_degrees = 20;
-  request.camera.position = eye * mesh.size + mesh.centre;
-  request.camera.target = (eye + glm::dvec3(0, -0.5, 1)) * mesh.size + mesh.centre;
+  request.camera.position = camera * mesh.size + mesh.centre;
+  request.camera.target = (camera + glm::dvec3(0, -0.5, 1)) * mesh.size + mesh.centre;
   drawn(model);
   for (std::uint32_t v = 0; v < 4000; v += 97) {
     model.fields.set(Field::direction, v, {0.5f, 0.3f, 0, 0});

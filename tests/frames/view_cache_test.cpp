@@ -35,10 +35,10 @@ TEST_F(CachedViews, SeveralAreCached) {
   drawn(model, painted(model));
   for (const AutoView view : views) EXPECT_EQ(from(view, painted(model)).redrawn, 1);
   for (const AutoView view : views) EXPECT_LT(from(view, painted(model)).redrawn, 1);
-  std::vector<Image> kept;
-  for (const AutoView view : views) kept.push_back(from(view, {}).image);
+  std::vector<Image> cached;
+  for (const AutoView view : views) cached.push_back(from(view, {}).image);
   raster.clear_view_cache();
-  for (std::size_t i = 0; i < views.size(); ++i) EXPECT_EQ(kept[i].rgba, from(views[i], {}).image.rgba) << i;
+  for (std::size_t i = 0; i < views.size(); ++i) EXPECT_EQ(cached[i].rgba, from(views[i], {}).image.rgba) << i;
 }
 
 TEST_F(CachedViews, OfSeveralScenes) {
@@ -48,8 +48,8 @@ TEST_F(CachedViews, OfSeveralScenes) {
     EXPECT_LT(drawn(*model, painted(*model)).redrawn, 1);
     EXPECT_EQ(drawn(*model).redrawn, 0);
   }
-  const Image kept = drawn(one).image;
-  EXPECT_EQ(kept.rgba, whole(one).rgba);
+  const Image cached = drawn(one).image;
+  EXPECT_EQ(cached.rgba, whole(one).rgba);
 }
 
 // Frames of an orbit are not requested again, so they do not evict the view of somebody who grooms meanwhile.

@@ -96,8 +96,8 @@ inline Expected expected_light(const FurFrame& frame, const FibreShading& shadin
   const glm::dvec3 crossed = colour * glm::dvec3(colour_above(frame.coat())[slice]);
   const glm::dvec3 above = double(c.above) * stopped(look, crossed, 0.6);
   const glm::dvec3 reached{from_all_around(above.r), from_all_around(above.g), from_all_around(above.b)};
-  const glm::dvec3 open = glm::mix(glm::dvec3(double(c.height)), reached, std::min(look.self_shadow, 1.0));
-  const glm::dvec3 g = (1 - look.ambient_floor) * open + look.ambient_floor;
+  const glm::dvec3 ambient = glm::mix(glm::dvec3(double(c.height)), reached, std::min(look.self_shadow, 1.0));
+  const glm::dvec3 g = (1 - look.ambient_floor) * ambient + look.ambient_floor;
   Expected sum;
   for (const FurLight& light : frame.lights) {
     const Arriving from = arriving_from(light, glm::dvec3(c.position));

@@ -30,9 +30,9 @@ class FoldedSkin : public WithRenderer {
 
 TEST_P(FoldedSkin, IsNotShadedByFurThatGrowsIntoIt) {
   const FurredModel model = folded();
-  const double open = middle(model, false);
-  EXPECT_GT(open, 20);
-  EXPECT_GT(middle(model, true), 0.9 * open);
+  const double unshadowed = middle(model, false);
+  EXPECT_GT(unshadowed, 20);
+  EXPECT_GT(middle(model, true), 0.9 * unshadowed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, FoldedSkin, both_backends(), name_of);

@@ -236,12 +236,13 @@ class ShadowFormulas : public Lighting {
     block.slots[asked_light] = {maps.shells, maps.depths, maps.soft ? 1 : 0, maps.scale};
     const Buffer buffer = send_block(gl(), 2, block);
     const auto texels = [&](glm::vec4 value) { return std::vector<glm::vec4>(4, value); };
-    std::vector<glm::vec4> kept, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));
-    for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(0.5f));
-    for (int layer = 0; layer <= 16; ++layer) kept.insert(kept.end(), 4, glm::vec4(std::exp(0.2f * float(layer - 16))));
+    std::vector<glm::vec4> shells, depths = texels(glm::vec4(0.1f)), widths = texels(glm::vec4(0.9f));
+    for (int shell = 0; shell <= 16; ++shell) shells.insert(shells.end(), 4, glm::vec4(0.5f));
+    for (int shell = 0; shell <= 16; ++shell)
+      shells.insert(shells.end(), 4, glm::vec4(std::exp(0.2f * float(shell - 16))));
     depths.insert(depths.end(), 2, glm::vec4(0.5f)), depths.insert(depths.end(), 2, glm::vec4(maps.lower));
     widths.insert(widths.end(), 4, glm::vec4(maps.white, 0.5f * maps.white, 0, 0));  // cast by the skin at depth .5
-    const Texture shell_maps = send_images(gl(), 2, kept, true);
+    const Texture shell_maps = send_images(gl(), 2, shells, true);
     const Texture depth_maps = send_images(gl(), 2, depths, true);
     const Texture width_maps = send_images(gl(), 2, widths, true);
     gl().BindTextureUnit(4, shell_maps.id());
@@ -295,9 +296,9 @@ TEST_P(ShadowFormulas, ShellsTransmitWhatTheirMapsSay) {
   const std::vector<Case> of = positions_below(0);
   const std::vector<glm::vec4> values = asked({}, of);
   for (std::size_t i = 0; i < of.size(); ++i) {
-    const double layer = std::min(16 * double(of[i].height) + 0.25, 16.0), low = std::min(std::floor(layer), 15.0);
-    const double kept = glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (low - 15)), layer - low);
-    ASSERT_NEAR(values[i].g, -std::log(kept), 1e-4) << of[i].height;
+    const double shell = std::min(16 * double(of[i].height) + 0.25, 16.0), low = std::min(std::floor(shell), 15.0);
+    const double transmittance = glm::mix(std::exp(0.2 * (low - 16)), std::exp(0.2 * (low - 15)), shell - low);
+    ASSERT_NEAR(values[i].g, -std::log(transmittance), 1e-4) << of[i].height;
   }
   for (const glm::vec4& value : asked({.shells = -1}, of)) ASSERT_EQ(value.g, 7);  // no maps: the estimate
   const std::vector<Case> behind = positions_below(0.3);

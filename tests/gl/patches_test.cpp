@@ -14,24 +14,30 @@ class SharedFur : public WithRenderer {};
 Image draw_with_weights(Renderer& renderer, const FurredModel& model, const std::vector<float>& weights) {
   const Mesh& mesh = model.model.surface.mesh();
   const FurTriangles whole = make_fur_triangles(mesh, with_hard_borders(model.model.patches));
-  FurTriangles pieces;
+  FurTriangles patch_triangles;
   for (const float weight : weights) {
-    pieces.triangles.insert(pieces.triangles.end(), whole.triangles.begin(), whole.triangles.end());
+    patch_triangles.triangles.insert(patch_triangles.triangles.end(), whole.triangles.begin(), whole.triangles.end());
     for (std::array<FurCorner, 3> corners : whole.corners) {
       for (FurCorner& corner : corners) corner.weight = weight;
-      pieces.corners.push_back(corners);
+      patch_triangles.corners.push_back(corners);
     }
   }
   FurFrame frame = make_frame(model.view(), shells_frame(AutoView::three_quarter, 192));
   static std::uint64_t last_id = 1'000'000;  // far from the ids of other models
   frame.model = ++last_id;
-  const FurModel fur{frame.model,      mesh.positions, mesh.normals, mesh.tangents,
-                     pieces.triangles, pieces.corners, {},           !mesh.corners.empty()};
+  const FurModel fur{frame.model,
+                     mesh.positions,
+                     mesh.normals,
+                     mesh.tangents,
+                     patch_triangles.triangles,
+                     patch_triangles.corners,
+                     {},
+                     !mesh.corners.empty()};
   renderer.add_shells(fur, FurFields{model.fields.direction(), model.fields.length(), {}});
   return renderer.draw(frame).value();
 }
 
-TEST_P(SharedFur, PiecesWithSharesMakeOneFur) {
+TEST_P(SharedFur, PatchTrianglesWithSharesMakeOneFur) {
   const FurredModel model = furred({Builtin::sphere, 1000}, {.length = 0.06, .inclination = 0.4});
   const auto with = [&](const std::vector<float>& weights) { return draw_with_weights(*renderer, model, weights); };
   const Image one = with({1}), shared = with({0.3f, 0.7f}), twice = with({1, 1}), half = with({0.5f});

@@ -138,10 +138,10 @@ TEST_P(Frames, AmbientLightIsDarkenedOnce) {  // its floor is the share that rea
   model.settings.look.self_shadow = 1;
   const Image shadowed = draw(*renderer, model, shells_frame());
   model.settings.look.self_shadow = 0;
-  const Image open = draw(*renderer, model, shells_frame());
-  for (std::size_t i = 0; i < open.rgba.size(); ++i) ASSERT_NEAR(shadowed.rgba[i], open.rgba[i], 1);
+  const Image unshadowed = draw(*renderer, model, shells_frame());
+  for (std::size_t i = 0; i < unshadowed.rgba.size(); ++i) ASSERT_NEAR(shadowed.rgba[i], unshadowed.rgba[i], 1);
   model.settings.look.ambient_floor = 0;
-  EXPECT_GT(mean_difference(open, draw(*renderer, model, shells_frame())), 1);
+  EXPECT_GT(mean_difference(unshadowed, draw(*renderer, model, shells_frame())), 1);
 }
 
 TEST_P(Frames, DirtyRangesSendOnlyThemselves) {

@@ -26,14 +26,14 @@ class Shadows : public WithRenderer {
     sync_shells(*renderer, model, {{0, static_cast<std::uint32_t>(model.fields.size())}});
     return renderer->draw_aovs(make_frame(model.view(), request), std::array{Aov::beauty}).value()[0];
   }
-  /// Share of that light that shadows leave in each pixel; 0 where there is none.
-  std::vector<double> share_left(FurredModel& model, FrameRequest request) {
-    const FloatImage kept = light_of(model, request);
+  /// Share of that light that is unshadowed in each pixel; 0 where there is none.
+  std::vector<double> unshadowed_share(FurredModel& model, FrameRequest request) {
+    const FloatImage shadowed = light_of(model, request);
     request.knobs.shells.shadow_maps = request.knobs.shells.self_shadow = false;
-    const FloatImage whole = light_of(model, request);
+    const FloatImage unshadowed = light_of(model, request);
     std::vector<double> shares;
-    for (std::size_t i = 1; i < whole.rgba.size(); i += 4)
-      shares.push_back(whole.rgba[i] > 1e-4f ? double{kept.rgba[i]} / double{whole.rgba[i]} : 0);
+    for (std::size_t i = 1; i < unshadowed.rgba.size(); i += 4)
+      shares.push_back(unshadowed.rgba[i] > 1e-4f ? double{shadowed.rgba[i]} / double{unshadowed.rgba[i]} : 0);
     return shares;
   }
   /// Positions of the request's pixels, and the normals of the skin there.
@@ -75,7 +75,7 @@ TEST_P(Shadows, ShellMapsHoldTheOpticalDepthOfTheFur) {
     model.settings.lights[0].self_shadow_maps = maps;
     request.knobs.shells.shadow_maps = maps;
     double sum = 0, count = 0;
-    for (const double share : share_left(model, request))
+    for (const double share : unshadowed_share(model, request))
       if (share > 0) sum += share, ++count;
     return sum / count;
   };
@@ -91,18 +91,18 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
   FurredModel model = furred({Builtin::knot, 2000}, {.length = 0.01});
   model.settings.look.ambient = 0.2;  // so little that the means are mostly direct light
   Light light = from_above;
-  const Image open = picture(model, light, true, AutoView::front);
+  const Image unshadowed = picture(model, light, true, AutoView::front);
   light.cast_shadow = CastShadow::hard;
   const Image hard = picture(model, light, true, AutoView::front);
   light.cast_shadow = CastShadow::soft;
   const Image soft = picture(model, light, true, AutoView::front);
-  for (std::size_t i = 0; i < open.rgba.size(); ++i) {
-    ASSERT_LE(hard.rgba[i], open.rgba[i] + 1);
+  for (std::size_t i = 0; i < unshadowed.rgba.size(); ++i) {
+    ASSERT_LE(hard.rgba[i], unshadowed.rgba[i] + 1);
     ASSERT_LE(hard.rgba[i], soft.rgba[i] + 1);
-    ASSERT_LE(soft.rgba[i], open.rgba[i] + 1);
+    ASSERT_LE(soft.rgba[i], unshadowed.rgba[i] + 1);
   }
-  EXPECT_LT(mean(hard), 0.95 * mean(open));
-  EXPECT_LT(mean(soft), 0.98 * mean(open));
+  EXPECT_LT(mean(hard), 0.95 * mean(unshadowed));
+  EXPECT_LT(mean(soft), 0.98 * mean(unshadowed));
   EXPECT_GT(mean(soft), 1.002 * mean(hard));
   light.cast_shadow = CastShadow::penumbra;
   EXPECT_LT(mean(picture(model, light, true, AutoView::front)), mean(hard)) << "fur casts it, too";
@@ -110,7 +110,7 @@ TEST_P(Shadows, CastShadowOnlyDarkens) {
   sleek.settings.look.ambient = 0.2;
   const double penumbra = mean(picture(sleek, light, true, AutoView::front));
   light.cast_shadow = CastShadow::hard;
-  EXPECT_NEAR(penumbra, mean(picture(sleek, light, true, AutoView::front)), 0.02 * mean(open));
+  EXPECT_NEAR(penumbra, mean(picture(sleek, light, true, AutoView::front)), 0.02 * mean(unshadowed));
 }
 
 /// On bare skin a hard shadow falls where a ray to the light hits the body, from whatever side the light comes.
@@ -120,20 +120,20 @@ TEST_P(Shadows, HardShadowsFallWhereRaysSay) {
   request.knobs.shells.shadow_maps = true;
   for (const glm::dvec3 along : {glm::dvec3(0.3, -1, -0.6), glm::dvec3(-1, 0.4, -0.5)}) {
     model.settings.lights = {{.direction = along, .cast_shadow = CastShadow::hard}};
-    const std::vector<double> shares = share_left(model, request);
+    const std::vector<double> shares = unshadowed_share(model, request);
     const std::vector<FloatImage> positions = positions_of(model, request);
     const glm::dvec3 to_light = -glm::normalize(along);
-    int blocked = 0, open = 0, wrong = 0;
+    int occluded = 0, lit = 0, wrong = 0;
     for (std::size_t i = 0; i < positions[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&positions[layer].rgba[i])); };
+      const auto value = [&](std::size_t aov) { return glm::dvec3(glm::make_vec3(&positions[aov].rgba[i])); };
       if (positions[0].rgba[i + 3] < 1 || glm::dot(value(1), to_light) < 0.3) continue;
       const bool hidden = model.model.surface.raycast(value(0) + 0.015 * to_light, to_light).has_value();
-      (hidden ? blocked : open) += 1;
+      (hidden ? occluded : lit) += 1;
       wrong += hidden != (shares[i / 4] < 0.5);
     }
-    EXPECT_GT(blocked, 100);
-    EXPECT_GT(open, 500);
-    EXPECT_LT(wrong, 0.05 * (blocked + open));
+    EXPECT_GT(occluded, 100);
+    EXPECT_GT(lit, 500);
+    EXPECT_LT(wrong, 0.05 * (occluded + lit));
   }
 }
 
@@ -157,19 +157,19 @@ TEST_P(Shadows, PenumbrasAreTheShareOfTheLightThatRaysMiss) {
   for (const double degrees : {3.0, 12.0}) {
     model.settings.lights = {
         {.direction = {0.3, -1, -0.6}, .angle_degrees = degrees, .cast_shadow = CastShadow::penumbra}};
-    const std::vector<double> shares = share_left(model, request);
+    const std::vector<double> shares = unshadowed_share(model, request);
     const std::vector<FloatImage> positions = positions_of(model, request);
     const FurFrame frame = make_frame(model.view(), request);
     const std::vector<glm::dvec3> rays = rays_to(frame.lights[0], 64);
     double error = 0, bias = 0, count = 0, between = 0;
     for (std::size_t i = 0; i < positions[0].rgba.size(); i += 4) {
-      const auto value = [&](std::size_t layer) { return glm::dvec3(glm::make_vec3(&positions[layer].rgba[i])); };
+      const auto value = [&](std::size_t aov) { return glm::dvec3(glm::make_vec3(&positions[aov].rgba[i])); };
       if (positions[0].rgba[i + 3] < 1 || glm::dot(value(1), -glm::dvec3(frame.lights[0].direction)) < 0.3) continue;
-      double open = 0;
+      double unoccluded = 0;
       for (const glm::dvec3& ray : rays)
-        open += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
-      error += std::abs(shares[i / 4] - open), bias += shares[i / 4] - open, ++count;
-      between += open > 0.1 && open < 0.9;
+        unoccluded += model.model.surface.raycast(value(0) + 0.01 * value(1), ray) ? 0 : 1.0 / 64;
+      error += std::abs(shares[i / 4] - unoccluded), bias += shares[i / 4] - unoccluded, ++count;
+      between += unoccluded > 0.1 && unoccluded < 0.9;
     }
     EXPECT_GT(between, 0.01 * degrees * count) << degrees;  // there is a penumbra to compare
     EXPECT_LT(error, 0.05 * count) << degrees;
@@ -279,14 +279,14 @@ double light_between_strands(Renderer& renderer, Coat coat) {
   const auto light_with = [&](const FurFrame& lit) {
     return renderer.draw_aovs(lit, std::array{Aov::beauty}).value()[0];
   };
-  FurFrame open = frame, colours = frame;
-  open.knobs.shells.shadow_maps = open.knobs.shells.self_shadow = false;
+  FurFrame without_shadow = frame, colours = frame;
+  without_shadow.knobs.shells.shadow_maps = without_shadow.knobs.shells.self_shadow = false;
   colours.lights.clear(), colours.look.ambient = colours.look.ambient_floor = 1;
-  const FloatImage kept = light_with(frame), whole = light_with(open), seen = light_with(colours);
+  const FloatImage shadowed = light_with(frame), unshadowed = light_with(without_shadow), seen = light_with(colours);
   double sum = 0, count = 0;
-  for (std::size_t i = 0; i < kept.rgba.size(); i += 4) {
+  for (std::size_t i = 0; i < shadowed.rgba.size(); i += 4) {
     if (seen.rgba[i] < 0.9f) continue;
-    sum += double{kept.rgba[i]} / double{whole.rgba[i]}, ++count;
+    sum += double{shadowed.rgba[i]} / double{unshadowed.rgba[i]}, ++count;
   }
   EXPECT_GT(count, 100);
   return sum / count;
@@ -329,8 +329,8 @@ TEST_P(Shadows, WhatLiesBelowASurfaceDoesNotChangeTheSoftShadowOnIt) {
     model.settings.lights = {{.direction = {0, -1, 0}, .cast_shadow = CastShadow::soft}};
     return draw(*renderer, model, request);
   };
-  const Image open = draw_levels(true), closed = draw_levels(false);
-  EXPECT_LT(mean_difference(open, closed), 0.1);
+  const Image with_gap = draw_levels(true), without_gap = draw_levels(false);
+  EXPECT_LT(mean_difference(with_gap, without_gap), 0.1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Gl, Shadows, both_backends(), name_of);

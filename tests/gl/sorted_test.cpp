@@ -219,7 +219,7 @@ TEST_P(Sorted, OrderOfTrianglesDoesNotMatter) {
   EXPECT_GT(largest(aovs_before, light_of(*renderer, model, aovs)), 1e-3);  // the order did change
 }
 
-TEST_P(Sorted, IsWhatShellsAreOnOneConvexPieceSeenHeadOn) {
+TEST_P(Sorted, IsWhatShellsAreOnOneConvexPartSeenHeadOn) {
   FurredModel model = furred({Builtin::plane, 2}, {.length = 0.05, .inclination = 0.2});
   model.model.patches = with_hard_borders(model.model.patches);  // so that no two fragments have the same depth
   FrameRequest request = request_of(FragmentOrder::sorted, 64);

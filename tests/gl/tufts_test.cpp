@@ -75,10 +75,11 @@ TEST_P(TuftsOnGpu, TheLeanIsTheSlopeOfTheStrand) {
 /// Strands converge, so fur is denser inside a tuft, and there is none where only strands of the border would be.
 TEST_P(TuftsOnGpu, FurIsDenserInsideAndGoneOutside) {
   for (const float s : {0.01f, 0.4f, 1.0f}) {
-    const auto share = asked(1, s, {.gather = 1}), way = asked(0, s, {.gather = 1});
+    const auto share = asked(1, s, {.gather = 1}), gathering = asked(0, s, {.gather = 1});
     for (std::size_t i = 0; i < share.size(); ++i) {
-      const double kept = 1 - double(way[i].w), border = kept - (1 - double(inside));  // of the radius; above 0 inside
-      ASSERT_NEAR(share[i].w, std::clamp(1 + border / 0.15, 0.0, 1.0) / kept, 1e-4);
+      const double radius = 1 - double(gathering[i].w);
+      const double border = radius - (1 - double(inside));  // above 0 inside
+      ASSERT_NEAR(share[i].w, std::clamp(1 + border / 0.15, 0.0, 1.0) / radius, 1e-4);
     }
   }
   EXPECT_GT(asked(1, 0.4f, {.gather = 1})[side * side - 1].w, 1);

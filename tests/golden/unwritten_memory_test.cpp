@@ -1,4 +1,4 @@
-// What is culled has no rows of data, and nothing may read them, not even for pixels next to visible ones.
+// Culled triangles have no rows of data, and nothing may read them, not even for pixels next to visible ones.
 #include <gtest/gtest.h>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -31,8 +31,8 @@ TEST(UnwrittenMemory, IsNotReadForTexturesOfWhatIsCulled) {
   model.settings.skin_texture = "0123456789abcdef0123456789abcdef";
   FrameRequest request = small_frame(AutoView::none, 160);
   const Mesh& mesh = model.model.surface.mesh();
-  for (const glm::dvec3 way : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0.2, 1), glm::dvec3(-1, -0.4, 0)}) {
-    request.camera.position = mesh.to_model(0.9 * way), request.camera.target = mesh.to_model({0, 0.25, 0});
+  for (const glm::dvec3 direction : {glm::dvec3(1, 0, 0), glm::dvec3(0, 0.2, 1), glm::dvec3(-1, -0.4, 0)}) {
+    request.camera.position = mesh.to_model(0.9 * direction), request.camera.target = mesh.to_model({0, 0.25, 0});
     Renderer plain{RendererOptions{}};
     const Image expected = draw(plain, model, request);
     const PoisonedMemory poisoned;

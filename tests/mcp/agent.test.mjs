@@ -72,7 +72,7 @@ test("a pixel is picked and combed from in every form that pick gives", async ()
     const answer = await agent.call("comb", {scene, brush: {reach: "skin"}, stroke: {view: {...view}, samples: [sample, end]}, dry_run: true});
     touched.push(answer.data.results[0].touched);
   }
-  assert.ok(touched[0] > 10 && touched.every((count) => Math.abs(count - touched[0]) <= 2), `places differ: ${touched}`);
+  assert.ok(touched[0] > 10 && touched.every((count) => Math.abs(count - touched[0]) <= 2), `positions differ: ${touched}`);
   const missed = await agent.call("pick", {scene, view: {...view}, pixel: [1, 1]});
   assert.equal(missed.data.hit, false);
 });
@@ -101,9 +101,9 @@ test("a model is loaded from a file", async () => {
     assert.deepEqual([data.model, data.vertices, data.triangles, data.up, data.front], ["obj", 8, 12, "z", "x"]);
     assert.match(text, /8 vertices, 12 triangles/);
     await agent.call("noise", {scene: "box", flood: true});
-    const kept = await agent.call("load_model", {scene: "box", path});
-    assert.match(kept.text, /The groom went over: 0 of 8 vertices/);
-    assert.equal((await agent.call("describe_scene", {scene: kept.data.carried.before})).data.undo_steps, 1);
+    const loaded = await agent.call("load_model", {scene: "box", path});
+    assert.match(loaded.text, /The groom was transferred: 0 of 8 vertices/);
+    assert.equal((await agent.call("describe_scene", {scene: loaded.data.carried.before})).data.undo_steps, 1);
     assert.equal((await agent.call("load_model", {scene: "box", path, discard: true})).data.undo_steps, 0);
   } finally {
     rmSync(folder, {recursive: true});

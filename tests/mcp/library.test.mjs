@@ -40,6 +40,6 @@ test("a recipe is run with a variable of its own, and undone", async () => {
   assert.ok(undo_steps > 10 && fields_hash !== bare);
   await agent.call("undo", {scene: "b", steps: undo_steps});
   assert.equal((await agent.call("describe_scene", {scene: "b"})).data.fields_hash, bare);
-  const {data: otherwise} = await agent.call("run_recipe", {scene: "b", name: "creature"});
-  assert.notEqual(otherwise.fields_hash, fields_hash, "the variable does nothing");
+  const {data: changed} = await agent.call("run_recipe", {scene: "b", name: "creature"});
+  assert.notEqual(changed.fields_hash, fields_hash, "the variable does nothing");
 });

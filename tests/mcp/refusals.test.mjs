@@ -1,4 +1,4 @@
-// What is wrong is said with field, limit and nearest name, and nothing is changed by it.
+// Refusals name the field, the limit and the nearest name, and change nothing.
 import assert from "node:assert/strict";
 import {spawnSync} from "node:child_process";
 import {test} from "node:test";

@@ -1,4 +1,4 @@
-// What an agent gets unless it asks for more: few tools, small pictures, and all of the product through them.
+// The default toolset of an agent: few tools and small pictures, which give access to the whole product.
 import assert from "node:assert/strict";
 import {mkdtempSync, readFileSync, rmSync} from "node:fs";
 import {tmpdir} from "node:os";

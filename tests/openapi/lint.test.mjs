@@ -43,7 +43,7 @@ const breaks = [
   ["a word that OpenAPI does not have", "struct #/paths/~1v1~1scenes~1{id}~1redo/post/responses/default", (document) => { document.paths["/v1/scenes/{id}/redo"].post.responses.default = {descripton: "A refusal."}; }],
 ];
 
-test("the linter finds what is wrong, each at its place", async () => {
+test("the linter finds each fault and its position", async () => {
   const problems = await broken_by(breaks.map(([, , change]) => change));
   for (const [what, where] of breaks) assert.ok(problems.some((problem) => problem.startsWith(where)), `${what}: ${where}`);
 });

@@ -18,7 +18,7 @@ start(async () => {
   for (const [name, [, ...model]] of Object.entries(models)) scenes[name] = await scene_of(...model);
 });
 
-/** What the server exports of a scene, and what the validator says of it. */
+/** The server's exports of scenes, with the validator's reports. */
 const reports = new Map();
 async function report(name, query) {
   const key = `${name} ${query}`;
@@ -76,8 +76,8 @@ const damages = [
   ["an accessor that counts too much", "ACCESSOR_TOO_LONG", (file) => { file.json.accessors[skin(file).attributes.POSITION].count *= 9; }],
   ["triangles that do not come out even", "MESH_PRIMITIVE_INCOMPATIBLE_MODE", (file) => { file.json.accessors[skin(file).indices].count -= 1; }],
   ["a vertex that there is not", "ACCESSOR_INDEX_OOB", (file) => { numbers_of(file, skin(file).indices)[7] = 60000; }],
-  ["a place that is no number", "ACCESSOR_INVALID_FLOAT", (file) => { numbers_of(file, skin(file).attributes.POSITION)[4] = NaN; }],
-  ["a place out of its bounds", "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", (file) => { numbers_of(file, skin(file).attributes.POSITION)[4] = 99; }],
+  ["a position that is no number", "ACCESSOR_INVALID_FLOAT", (file) => { numbers_of(file, skin(file).attributes.POSITION)[4] = NaN; }],
+  ["a position out of its bounds", "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", (file) => { numbers_of(file, skin(file).attributes.POSITION)[4] = 99; }],
   ["a long normal", "ACCESSOR_VECTOR3_NON_UNIT", (file) => { numbers_of(file, skin(file).attributes.NORMAL)[0] += 1; }],
   ["a texture that there is not", "UNRESOLVED_REFERENCE", (file) => { file.json.materials.at(-1).pbrMetallicRoughness.baseColorTexture = {index: 99}; }],
   ["a mesh that nothing shows", "UNUSED_OBJECT", (file) => { file.json.meshes.push(file.json.meshes[0]); }],

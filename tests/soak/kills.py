@@ -20,8 +20,8 @@ UP_SECONDS = (0.3, 2.0)  # range of the time from a start to the kill
 
 
 class Groomer:
-    """A client and the state that it was told. It knows the last acknowledged change of each scene, and not the answer of the request
-    that was under way at the kill."""
+    """A client with the last acknowledged state of each scene. It does not know the answer of the request that was in flight at the
+    kill."""
 
     def __init__(self, server, number, seed, saved):
         self.server, self.random, self.saved = server, random.Random(f"{seed} {number}"), saved
@@ -61,8 +61,8 @@ class Groomer:
         self.in_doubt = scene
         answer = self.request(method, f"/v1/scenes/{scene}/{path}", body, **more)
         if answer.status == 200:
-            told = answer.json
-            self.scenes[scene] = (told["revision"], told["fields_hash"])
+            state = answer.json
+            self.scenes[scene] = (state["revision"], state["fields_hash"])
         self.in_doubt = None
 
     def groom(self, scene):
@@ -147,7 +147,7 @@ def main():
     kills = int(sys.argv[1]) if len(sys.argv) > 1 else 300
     seed = int(sys.argv[2]) if len(sys.argv) > 2 else 1
     server = Server()
-    chance, faults, began = random.Random(seed), [], time.monotonic()
+    rng, faults, began = random.Random(seed), [], time.monotonic()
     try:
         saved = bodies.exported(server)[1]
         groomers = [Groomer(server, number, seed, saved) for number in range(CLIENTS)]
@@ -155,7 +155,7 @@ def main():
             threads = [threading.Thread(target=groomer.run) for groomer in groomers]
             for thread in threads:
                 thread.start()
-            time.sleep(chance.uniform(*UP_SECONDS))
+            time.sleep(rng.uniform(*UP_SECONDS))
             server.kill()
             for thread in threads:
                 thread.join()

@@ -117,7 +117,7 @@ def keep_busy(server, temporary, clients, began, minutes):
 
 
 def rest(server, temporary):
-    """Fills the server's caches (coats, the last traced picture) the same way each time, waits until the rest is dropped, and takes a reading."""
+    """Fills the server's caches (coats, the last traced picture) the same way each time, waits until everything else is dropped, and takes a reading."""
     scene = server.new_scene("creature", 3000)
     for quality in ("detailed", {"method": "strands", "trace": {"passes": 1}}):
         answer = scene.post("frames", {"width": 128, "height": 128, "quality": quality})

@@ -21,45 +21,45 @@ def parent_of(document, path):
     return document
 
 
-def odd_value(chance, old):
-    kind = chance.random()
+def odd_value(rng, old):
+    kind = rng.random()
     if isinstance(old, (int, float)) and kind < 0.3:
-        return old * chance.choice([-1, 0.1, 10, 1e6, 1e30])
-    return copy.deepcopy(chance.choice(NUMBERS if kind < 0.65 else TEXTS if kind < 0.8 else OTHERS))
+        return old * rng.choice([-1, 0.1, 10, 1e6, 1e30])
+    return copy.deepcopy(rng.choice(NUMBERS if kind < 0.65 else TEXTS if kind < 0.8 else OTHERS))
 
 
-def mutated(chance, document):
+def mutated(rng, document):
     """Returns the document with up to three odd values, missing or unknown members, or long lists."""
     document = copy.deepcopy(document)
-    for _ in range(chance.randint(1, 3)):
+    for _ in range(rng.randint(1, 3)):
         paths = [path for path in nodes(document) if path]
         if not paths:
-            return copy.deepcopy(chance.choice(OTHERS))
-        path = chance.choice(paths)
-        inside, kind = parent_of(document, path), chance.random()
+            return copy.deepcopy(rng.choice(OTHERS))
+        path = rng.choice(paths)
+        inside, kind = parent_of(document, path), rng.random()
         if kind < 0.7:
-            inside[path[-1]] = odd_value(chance, inside[path[-1]])
+            inside[path[-1]] = odd_value(rng, inside[path[-1]])
         elif kind < 0.8:
             del inside[path[-1]]
         elif isinstance(inside, dict):
-            inside["unknown_member"] = copy.deepcopy(chance.choice(OTHERS))
+            inside["unknown_member"] = copy.deepcopy(rng.choice(OTHERS))
         else:
-            inside *= chance.choice([2, 20])
+            inside *= rng.choice([2, 20])
     return document
 
 
-def damaged(chance, content):
+def damaged(rng, content):
     """Returns the bytes with flips, cuts or repeats."""
     content = bytearray(content)
-    for _ in range(chance.randint(1, 8)):
-        at = chance.randrange(len(content) + 1)
-        kind = chance.random()
+    for _ in range(rng.randint(1, 8)):
+        at = rng.randrange(len(content) + 1)
+        kind = rng.random()
         if kind < 0.6 and at < len(content):
-            content[at] = chance.choice([0, 0xFF, content[at] ^ (1 << chance.randrange(8)), chance.randrange(256)])
+            content[at] = rng.choice([0, 0xFF, content[at] ^ (1 << rng.randrange(8)), rng.randrange(256)])
         elif kind < 0.75:
             del content[at:]
         elif kind < 0.9:
-            del content[at:at + chance.randint(1, 64)]
+            del content[at:at + rng.randint(1, 64)]
         else:
             content[at:at] = content[max(0, at - 40):at]
     return bytes(content)

@@ -79,37 +79,37 @@ class Fuzzer:
         self.counts, self.statuses = collections.Counter(), collections.Counter()
         self.faults, self.slowest, self.lock = [], (0, ""), threading.Lock()
 
-    def parameter(self, chance, parameter):
+    def parameter(self, rng, parameter):
         """Returns name and value of a query or header parameter; None to leave it out."""
         parameter = resolved(parameter)
-        if chance.random() < 0.5 and not parameter.get("required"):
+        if rng.random() < 0.5 and not parameter.get("required"):
             return None
         schema = resolved(parameter.get("schema", {}))
         right = schema.get("enum") or [schema.get("default", 1), schema.get("minimum", 0), min(schema.get("maximum", 1), CAPS.get(parameter["name"], 10))]
-        value = chance.choice(right) if chance.random() < 0.7 else mutate.odd_value(chance, 1)
+        value = rng.choice(right) if rng.random() < 0.7 else mutate.odd_value(rng, 1)
         return parameter["name"], str(mutate.capped({parameter["name"]: value}, CAPS)[parameter["name"]])
 
-    def body(self, chance, path, operation):
+    def body(self, rng, path, operation):
         content = resolved(operation.get("requestBody", {})).get("content", {})
         if "application/octet-stream" in content:
             seeds = self.files.get(path.rsplit("/", 1)[1], bodies.PICTURES)
-            seed = chance.choice(seeds)
-            return (seed if chance.random() < 0.3 else mutate.damaged(chance, seed)), "application/octet-stream"
+            seed = rng.choice(seeds)
+            return (seed if rng.random() < 0.3 else mutate.damaged(rng, seed)), "application/octet-stream"
         if "application/json" not in content:
             return None, None
         known = [one for name in names_of(content["application/json"]["schema"]) for one in self.documents[name]]
-        document = mutate.capped(chance.choice(known) if known else {}, CAPS)
-        if chance.random() < 0.75:
-            document = mutate.capped(mutate.mutated(chance, document), CAPS)
+        document = mutate.capped(rng.choice(known) if known else {}, CAPS)
+        if rng.random() < 0.75:
+            document = mutate.capped(mutate.mutated(rng, document), CAPS)
         text = mutate.as_text(document)
-        return (text if chance.random() < 0.9 else mutate.damaged(chance, text)), "application/json"
+        return (text if rng.random() < 0.9 else mutate.damaged(rng, text)), "application/json"
 
-    def address(self, chance, path, operation, scene):
-        values = {"id": scene if chance.random() < 0.97 else chance.choice(["", "nobody", "%00", "../x", "a" * 5000])}
+    def address(self, rng, path, operation, scene):
+        values = {"id": scene if rng.random() < 0.97 else rng.choice(["", "nobody", "%00", "../x", "a" * 5000])}
         query, headers = [], {}
         for parameter in operation["parameters"]:
             parameter = resolved(parameter)
-            made = self.parameter(chance, parameter)
+            made = self.parameter(rng, parameter)
             if parameter["in"] == "path" and parameter["name"] != "id":
                 values[parameter["name"]] = (made and made[1]) or "x"  # an empty one would be another URL
             elif made and parameter["in"] == "query":
@@ -120,9 +120,9 @@ class Fuzzer:
             path = path.replace("{" + name + "}", urllib.parse.quote(value.encode("utf-8", "surrogatepass"), safe="%./"))
         return path + ("?" + urllib.parse.urlencode([(name, value.encode("utf-8", "surrogatepass")) for name, value in query]) if query else ""), headers
 
-    def send(self, chance, method, path, operation, scene):
-        body, kind = self.body(chance, path, operation)
-        address, headers = self.address(chance, path, operation, scene)
+    def send(self, rng, method, path, operation, scene):
+        body, kind = self.body(rng, path, operation)
+        address, headers = self.address(rng, path, operation, scene)
         if kind:
             headers["Content-Type"] = kind
         if path.endswith("/events"):
@@ -155,15 +155,15 @@ class Fuzzer:
                 print(self.faults[-1], flush=True)
 
     def work(self, number, ends):
-        chance, all_operations = random.Random(f"{self.seed} {number}"), operations()
+        rng, all_operations = random.Random(f"{self.seed} {number}"), operations()
         while not ends():
-            scene = self.server.new_scene(chance.choice(["sphere", "plane", "torus"]), 300).id
+            scene = self.server.new_scene(rng.choice(["sphere", "plane", "torus"]), 300).id
             for _ in range(ROUND):
-                method, path, operation = min(chance.sample(all_operations, 3), key=lambda one: self.counts[one[0], one[1]])
+                method, path, operation = min(rng.sample(all_operations, 3), key=lambda one: self.counts[one[0], one[1]])
                 with self.lock:
                     self.counts[method, path] += 1
                 try:
-                    self.send(chance, method, path, operation, scene)
+                    self.send(rng, method, path, operation, scene)
                 except (OSError, ValueError) as error:
                     if self.server.process.poll() is not None:
                         raise

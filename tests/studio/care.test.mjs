@@ -28,7 +28,7 @@ test("axe finds nothing in any panel, dark or light", async () => {
   await studio.finish();
 });
 
-test("everything is reached by the keyboard, and a key sheet tells the keys", async () => {
+test("everything is reached by the keyboard, and a key sheet lists the keys", async () => {
   const studio = await openStudio({scene: id});
   await studio.ready();
   const wanted = ["Comb", "Paint", "Shortcuts", "Front view", "Tool"], seen = new Set();
@@ -82,7 +82,7 @@ test("a number field holds what is allowed and gives the keyboard back", async (
   await strength.press("Enter");
   assert.equal(await brush("strength"), 1);
   assert.equal(await strength.inputValue(), "1");
-  await studio.page.getByText("1 is the nearest number that is allowed.").waitFor();
+  await studio.page.getByText("1 is the nearest allowed number.").waitFor();
   const radius = await brush("radius");
   await studio.page.keyboard.press("]");
   assert.ok(await brush("radius") > radius, "a key after Enter is a shortcut");

@@ -41,18 +41,18 @@ const linesOf = async (id) => (await (await fetch(`${server.address}/v1/scenes/$
 
 async function uploaded(name) {
   await press("Upload");
-  await card().getByText(`${name} is there`).waitFor({timeout: 60000});
+  await card().getByText(`${name} is loaded`).waitFor({timeout: 60000});
   return server.get(`/v1/scenes/${await openId()}`);
 }
 
 test("a folder with an OBJ, its materials and its picture becomes a scene with a skin texture", async () => {
   await drop(objFolder(folder));
-  await card().getByText("Its picture comes with it.").waitFor();
+  await card().getByText("Its texture is uploaded, too.").waitFor();
   const scene = await uploaded("box");
   assert.equal(scene.model, "obj");
   assert.equal(scene.triangles, 12);
   assert.match(await linesOf(scene.id), /set_skin_texture/);
-  await card().getByText("polygons were made into triangles").waitFor();
+  await card().getByText("polygons were split into triangles").waitFor();
 });
 
 test("materials named after hooves are left bare, and tools work on one by its name", async () => {
@@ -70,33 +70,33 @@ test("materials named after hooves are left bare, and tools work on one by its n
 
 test("of several pictures one is used, and the card says which", async () => {
   await drop(objFolder(folder, {two: true}));
-  await card().getByText(/name 2 pictures.*Skin\.PNG is used/).waitFor();
+  await card().getByText(/use 2 pictures.*Skin\.PNG is used/).waitFor();
   await press("Cancel");
 });
 
 test("an OBJ without its materials comes, and says what is missing", async () => {
   await drop(join(objFolder(folder), "box.obj"));
-  await card().getByText(/the box\.mtl was not dropped with it/).waitFor();
+  await card().getByText(/the box\.mtl is missing/).waitFor();
   await press("Cancel");
 });
 
 test("a lone picture beside an OBJ that names none is its skin texture", async () => {
   const lone = objFolder(folder, {materials: false});
   await drop(join(lone, "box.obj"), join(lone, "pictures", "Skin.PNG"));
-  await card().getByText("Its picture comes with it.").waitFor();
+  await card().getByText("Its texture is uploaded, too.").waitFor();
   const scene = await uploaded("box");
   assert.match(await linesOf(scene.id), /set_skin_texture/);
-  await card().getByText(/Skin\.PNG was dropped beside it/).waitFor();
+  await card().getByText(/Skin\.PNG was dropped with the model/).waitFor();
 });
 
-test("a glTF in pieces is packed; without its pieces it says which", async () => {
+test("a glTF of several files is packed; if some are missing, the card names them", async () => {
   const gltf = gltfFolder(folder);
   await drop(gltf);
   const scene = await uploaded("box");
   assert.equal(scene.model, "glb");
   assert.equal(scene.triangles, 12);
   await drop(join(gltf, "box.gltf"));
-  await card().getByText("It needs the box.bin, skin.png beside it.").waitFor();
+  await card().getByText("Files are missing: the box.bin, skin.png.").waitFor();
   await press("Close");
 });
 
@@ -118,7 +118,7 @@ test("what was groomed before other axes were chosen goes over", async () => {
   assert.ok(combed.revision > revision);
   await press("Other axes…");
   await press("Upload");
-  await card().getByText(/It has the groom/).waitFor({timeout: 60000});
+  await card().getByText(/The groom was transferred/).waitFor({timeout: 60000});
   const now = await server.get(`/v1/scenes/${id}`);
   const before = (await server.get("/v1/scenes")).scenes.find(({name}) => name === `box before ${now.revision}`);
   assert.match(await linesOf(before.id), /comb/);
@@ -172,7 +172,7 @@ test("a new version of a model keeps the groom, and the scene as it was stays", 
   const second = await uploaded("box");
   assert.equal(second.id, first.id);
   assert.equal(second.undo_steps, 0);
-  await card().getByText("The scene as it was, with its steps, is in the list.").waitFor();
+  await card().getByText("The previous scene, with its steps, is in the list.").waitFor();
   assert.equal(await card().getByText("Other axes…").count(), 0);
   const length = async (id) => (await server.post(`/v1/scenes/${id}/pick`, {nearest: [0.5, 0.5, 1]})).length;
   assert.ok(Math.abs(await length(second.id) - 0.11) < 1e-4, String(await length(second.id)));

@@ -13,7 +13,7 @@ test("a first visit finds a fox and three hints, which go for good", async () =>
   const server = await serverWith();
   const studio = await Studio.open(chrome, server.address);
   await studio.page.evaluate(() => localStorage.removeItem("pelage.welcomed"));
-  await studio.page.getByText(/The creature grows its fur|The first picture is drawn/).waitFor();
+  await studio.page.getByText(/Growing the creature's fur|Drawing the first picture/).waitFor();
   await studio.seen("rest");
   const scenes = async () => (await server.get("/v1/scenes")).scenes.filter(({name}) => !name.startsWith("studio: "));  // copies that it tries tools on
   assert.deepEqual((await scenes()).map(({name, model}) => [name, model]), [["Fox", "creature"]]);
@@ -42,7 +42,7 @@ test("a server with a token is asked again once the token is given", async () =>
   await accessible(page);
   await box.getByLabel("Token").fill("wrong");
   await page.keyboard.press("Enter");
-  await box.getByText("does not take this token").waitFor();
+  await box.getByText("does not accept this token").waitFor();
   await box.getByLabel("Token").fill("secret");
   await page.keyboard.press("Enter");
   await studio.seen();
@@ -53,7 +53,7 @@ test("a server with a token is asked again once the token is given", async () =>
   await studio.finish();
 });
 
-test("a lost connection is said with what is kept, until it is mended", async () => {
+test("a lost connection and the stored changes are reported until it is back", async () => {
   const {id} = await server.creature("lost");
   const studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/, /ERR_/);
@@ -68,7 +68,7 @@ test("a lost connection is said with what is kept, until it is mended", async ()
   await studio.finish();
 });
 
-test("the dial is chosen by keys, says what its stops take, and compares with the reference", async () => {
+test("the dial is chosen by keys, shows the time of its stops, and compares with the reference", async () => {
   const {id} = await server.creature("dial");
   const studio = await openStudio({scene: id, kept: {dial: {kind: "tier", tier: "interactive"}}});
   const {page} = studio;
@@ -79,16 +79,16 @@ test("the dial is chosen by keys, says what its stops take, and compares with th
   const stop = (name) => page.locator(".dial-stop", {hasText: name});
   await stop("Groom").getByText(/about \d/).waitFor();
   for (const name of ["Sketch", "Groom", "Beauty", "Final"]) await stop(name).locator("img").waitFor({timeout: 120000});
-  await page.getByText("By numbers").click();
+  await page.getByText("Limits and measurements").click();
   await page.locator(".dial-errors div", {hasText: "Groom"}).getByText(/error \.?\d/).waitFor();
   await accessible(page);
   await page.getByRole("radio", {name: /Groom/}).focus();
   await page.keyboard.press("ArrowUp");
   assert.ok(await page.getByRole("radio", {name: /Sketch/}).isChecked());
-  await page.getByLabel("Milliseconds of a picture").fill("800");
+  await page.getByLabel("Milliseconds per picture").fill("800");
   await page.keyboard.press("Enter");
   await page.getByRole("button", {name: "Quality: 800 ms"}).waitFor();
-  await stop("In time").getByText(/about \d/).waitFor({timeout: 120000});
+  await stop("Time limit").getByText(/about \d/).waitFor({timeout: 120000});
   assert.deepEqual(await page.evaluate(() => JSON.parse(localStorage.getItem("pelage.dial"))), {kind: "budget", milliseconds: 800});
   await page.getByRole("button", {name: "Compare with Final"}).click();
   await page.getByRole("slider", {name: /Divider/}).waitFor({timeout: 400000});
@@ -128,7 +128,7 @@ test("a browser that keeps nothing gets the studio all the same", async () => {
   await studio.finish();
 });
 
-test("an answer that is no problem document is said with its status and reason", async () => {
+test("an answer without a problem document is reported with its status and reason", async () => {
   const {id} = await server.creature("proxied");
   const studio = await openStudio({scene: id});
   studio.expected.push(/Failed to load resource/);

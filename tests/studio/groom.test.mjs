@@ -1,4 +1,4 @@
-// What a hand does on the model: mouse, pen and touch, with every way that a tool works.
+// Mouse, pen and touch on the model, for each way in which a tool works.
 import assert from "node:assert/strict";
 import {test} from "node:test";
 import {openStudio, server, start} from "./support/own.mjs";
@@ -67,7 +67,7 @@ test("a mohawk is combed by its tips, where no skin is under the pointer", async
   assert.ok(parts.every(({brush}) => brush.reach === "fur"));
   const {size} = await server.get(`/v1/scenes/${id}`);
   const high = parts.flatMap(({stroke}) => stroke.samples).filter(({position}) => position?.[1] > top + 0.05 * size);
-  assert.ok(high.length >= 8, `${high.length} places among the tips`);
+  assert.ok(high.length >= 8, `${high.length} positions among the tips`);
   const back = (await crest()).map(({direction, inclination}) => -direction[2] * inclination);
   assert.ok(back.every((lean) => lean > 0) && Math.max(...back) > 0.2, `roots follow their tips: ${back.join()}`);
   await studio.finish();
@@ -231,7 +231,7 @@ test("guides reach what lies around them and no farther", async () => {
   await studio.finish();
 });
 
-test("a flood, and a blower that stays and is moved in the picture", async () => {
+test("a flood, and a blower of the scene that is moved in the picture", async () => {
   await fresh("standing");
   await studio.tool("lift");
   await studio.page.getByRole("button", {name: "Lift everywhere"}).click();

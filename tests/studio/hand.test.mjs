@@ -83,7 +83,7 @@ test("a colour is chosen on the wheel, by swatches and from the fur", async () =
   await studio.finish();
 });
 
-test("settings are kept under a name and forgotten again", async () => {
+test("settings are saved under a name and removed again", async () => {
   const studio = await open({kept: {brush: {radius: 0.03}, "tool-values": {comb: {lean: 0.2}}}});
   const {page} = studio;
   await page.getByRole("button", {name: "Save…"}).click();

@@ -282,7 +282,7 @@ test("an earlier revision is wiped over the present one and follows the camera",
   await studio.drag([[0.04, 0.9], [0.2, 0.8]]);
   const turned = () => asked.some(({revision, format, camera}) => revision === 1 && format === undefined && camera.position[0] !== past.camera.position[0]);
   for (let tries = 0; tries < 400 && !turned(); ++tries) await page.waitForTimeout(50);
-  assert.ok(turned(), "the full picture of the earlier one from the new place");
+  assert.ok(turned(), "the full picture of the earlier one from the new position");
   await button("Show what changed").click();
   for (let tries = 0; tries < 400 && !asked.some(({overlay}) => overlay === "difference"); ++tries) await page.waitForTimeout(50);
   assert.equal(asked.find(({overlay}) => overlay === "difference").overlay_from, 1);

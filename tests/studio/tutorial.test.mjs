@@ -12,7 +12,7 @@ start();
 /** Tracing on or off, in the card of the dial. */
 async function trace(studio, on) {
   await studio.page.locator(".dial-button").click();
-  await studio.page.getByLabel(/Go on to Final/).setChecked(on);
+  await studio.page.getByLabel(/Continue to Final/).setChecked(on);
   await studio.page.keyboard.press("Escape");
 }
 

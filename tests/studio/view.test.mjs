@@ -15,7 +15,7 @@ test("draft, then the dial's picture, then strands that get better", async () =>
   await studio.page.waitForFunction(() => window.marks.frame.filter(({stage}) => stage === "traced").length >= 2, null, {timeout: 120000});
   const badge = studio.page.locator(".badge");
   assert.match(await badge.innerText(), /^Final\s+\d+ of 64, drawing…$/);
-  assert.match(await badge.locator(".badge-stage").getAttribute("title"), /samples of each pixel.*revision 0/);
+  assert.match(await badge.locator(".badge-stage").getAttribute("title"), /samples per pixel.*revision 0/);
   const stages = await studio.page.evaluate(() => [...new Set(window.marks.frame.map(({stage}) => stage))]);
   assert.deepEqual(stages, ["draft", "rest", "traced"]);
   await studio.drag([[0.5, 0.5], [0.55, 0.5]], {button: "middle"});
@@ -98,10 +98,10 @@ test("never more than two frames are in flight", async () => {
   const studio = await openStudio({scene: id, before: () => {
     const send = window.fetch;
     let now = 0;
-    window.most = 0;
+    window.max_in_flight = 0;
     window.fetch = (path, ...rest) => {
       const is_frame = /\/frames/.test(path) && !JSON.parse(rest[0].body).view.endsWith("-tool");  // the picture in the panel is another
-      if (is_frame) window.most = Math.max(window.most, ++now);
+      if (is_frame) window.max_in_flight = Math.max(window.max_in_flight, ++now);
       return send(path, ...rest).finally(() => { if (is_frame) --now; });
     };
   }});
@@ -109,8 +109,8 @@ test("never more than two frames are in flight", async () => {
   await studio.drag([[0.05, 0.9], [0.2, 0.85], [0.05, 0.8]], {steps: 20});
   await studio.drag([[0.45, 0.5], [0.55, 0.5]], {steps: 20});
   await studio.seen("rest");
-  const most = await studio.page.evaluate(() => window.most);
-  assert.ok(most >= 1 && most <= 2, `${most} at once`);
+  const max_in_flight = await studio.page.evaluate(() => window.max_in_flight);
+  assert.ok(max_in_flight >= 1 && max_in_flight <= 2, `${max_in_flight} at once`);
   await studio.finish();
 });
 

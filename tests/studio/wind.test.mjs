@@ -7,7 +7,7 @@ start();
 
 const timeOf = (request) => JSON.parse(request.postData() ?? "{}").time;
 
-test("a breeze is started, played, paused and kept", async () => {
+test("a breeze is started, played, paused and stored", async () => {
   const id = (await server.creature("wind")).id;
   const studio = await openStudio({scene: id, kept: {panel: "wind"}}), {page} = studio;
   await studio.ready();
@@ -43,7 +43,7 @@ test("the wind turns about the animal, and keeps how far it blows up", async () 
   const studio = await openStudio({scene: id});
   await studio.ready();
   await studio.panel("Wind");
-  const heading = studio.page.getByLabel("Blows to its");
+  const heading = studio.page.getByLabel("Blows towards its");
   assert.equal(await heading.inputValue(), "90");
   await heading.fill("180");
   await studio.settled(server, id, 2);

@@ -106,8 +106,8 @@ void add_position_options(CLI::App* pick, Options& options) {
       pick->get_option("x"),
       pick->add_option("--ray", options.ray, "X,Y,Z,DX,DY,DZ: what a ray from X,Y,Z along DX,DY,DZ hits first"),
       pick->add_option("--farthest", options.farthest,
-                       "DX,DY,DZ: the place farthest in this direction, as an ear's tip"),
-      pick->add_option("--nearest", options.nearest, "X,Y,Z: the place on the surface nearest to this point")};
+                       "DX,DY,DZ: the position farthest in this direction, as an ear's tip"),
+      pick->add_option("--nearest", options.nearest, "X,Y,Z: the position on the surface nearest to this point")};
   for (CLI::Option* option : position_options)
     for (CLI::Option* other : position_options)
       if (option != other) option->excludes(other);
@@ -119,7 +119,7 @@ void add_position_options(CLI::App* pick, Options& options) {
 
 void declare_pick(CLI::App& app, Options& options) {
   CLI::App* pick = add_action(app, options, Action::pick, "pick",
-                              "Show what lies at a place: under a pixel, or by --ray, --farthest or --nearest");
+                              "Show what lies at a position: under a pixel, or by --ray, --farthest or --nearest");
   add_scene(pick, options);
   CLI::Option* x = pick->add_option("x", options.x, "Pixels from the left");
   CLI::Option* y = pick->add_option("y", options.y, "Pixels from the top");

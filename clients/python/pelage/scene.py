@@ -147,8 +147,8 @@ class Scene(Commands[CommandAnswer], Pictures):
     def steps(self, carried_to: Optional[Scene] = None) -> List[Dict[str, Any]]:
         """The undo steps that lead to where the scene is now; `run` takes each of them.
 
-        carried_to: A scene whose model the positions, directions and lengths are carried to. What names vertices or
-        revisions cannot be carried and raises `Refused`.
+        carried_to: A scene. Positions, directions and lengths are transferred to its model. A step that names vertices
+        or revisions cannot be transferred and raises `Refused`.
         """
         query = given({"format": "jsonl", "for": carried_to.id if carried_to else None})
         return [json.loads(line) for line in self._connection.get(f"{self._path}/log", query).body.splitlines()]

@@ -41,12 +41,12 @@ const looked = signal(false);
 /** Opens the scene in the URL, else the last open one, else the first; on a server without scenes, creates a fox. */
 async function openFirst() {
   const left = sendLeftovers();
-  if (left) say(`${left} changes of a page that was closed are sent now.`);
+  if (left) say(`Sending ${left} changes from a page that was closed.`);
   await Promise.all([loadContract(), listScenes()]);
   const linked = new URLSearchParams(location.search).get("scene");
   const wanted = linked ?? last_scene.value;
   const found = scenes.value.find(({id, name}) => id === wanted || name === wanted) ?? scenes.value[0];
-  if (linked && found?.id !== linked && found?.name !== linked) say("The scene of this link is not on the server.", "It was removed, or the link is another server's.", "error");
+  if (linked && found?.id !== linked && found?.name !== linked) say("The scene of this link is not on the server.", "It was removed, or the link is for another server.", "error");
   if (found) await openScene(found.id);
   else await makeSample(samples[0]!);
   looked.value = true;

@@ -113,13 +113,14 @@ class EglContext final : public Context {
   }
 
  private:
-  /// `tells`: asks for a context that reports a reset of the device (glGetGraphicsResetStatus), which not every driver
-  /// has.
-  bool create(bool tells) {
+  /// `reports_reset`: requests a context that reports a reset of the device (glGetGraphicsResetStatus); not every
+  /// driver has it.
+  bool create(bool reports_reset) {
     std::vector<EGLint> wanted{EGL_CONTEXT_MAJOR_VERSION,       4,
                                EGL_CONTEXT_MINOR_VERSION,       5,
                                EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
-    if (tells) wanted.insert(wanted.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    if (reports_reset)
+      wanted.insert(wanted.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
     wanted.push_back(EGL_NONE);
     context_ = egl_.create_context(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, wanted.data());
     return context_ != EGL_NO_CONTEXT;

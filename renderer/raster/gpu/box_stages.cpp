@@ -128,7 +128,7 @@ bool BoxStages::find_skin(const DrawnBox& box, const SceneData& data) {
     stages_.run((triangles * lanes + strand_group - 1) / strand_group);
   }
   if (!box.scene.eyes.empty()) {
-    if (!begin_eyes(Stage::meet_eyes, box, data, skin_pixels_)) return false;
+    if (!begin_eyes(Stage::intersect_eyes, box, data, skin_pixels_)) return false;
     stages_.run(box.grid());
   }
   if (!begin(Stage::ends, box,

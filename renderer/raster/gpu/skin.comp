@@ -26,7 +26,7 @@ FlatCorner flat_corner(dvec3 corner) {
   return FlatCorner(dvec2(camera_middle) + dvec2(corner.x, -corner.y) * scale, inverse);
 }
 
-void meet(ivec2 pixel, float found, uint triangle) {
+void write_nearest(ivec2 pixel, float found, uint triangle) {
   if (!(found > 0.0)) return;
   uint at = 2 * pixel_index(pixel), bits = floatBitsToUint(found);
   if (!naming) atomicMax(skin_pixels[at], bits);
@@ -50,7 +50,7 @@ void cover_row(FlatCorner a, FlatCorner b, FlatCorner c, double area, int y, ive
   if (!(low <= high + overlap)) return;
   int begin = max(int(ceil(low - overlap)), columns.x), end = min(int(floor(high + overlap)), columns.y);
   float found = float(dot(at + across * double(begin), inverses)), rise = float(dot(across, inverses));
-  for (int x = begin; x <= end; ++x) meet(ivec2(x, y), found + rise * float(x - begin), triangle);
+  for (int x = begin; x <= end; ++x) write_nearest(ivec2(x, y), found + rise * float(x - begin), triangle);
 }
 
 void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint triangle, uint lane) {
@@ -69,18 +69,18 @@ void cover(FlatCorner a, FlatCorner b, FlatCorner c, uint triangle, uint lane) {
 // Clips a triangle at the nearest distance (Sutherland and Hodgman 1974) and covers what is left: a fan of up to two
 // triangles.
 void clip_and_cover(dvec3 corners[3], uint triangle, uint lane) {
-  const double least = double(near_distance);
-  FlatCorner kept[4];
+  const double min_depth = double(near_distance);
+  FlatCorner fan[4];
   int count = 0;
   for (int i = 0; i < 3; ++i) {
     dvec3 a = corners[i], b = corners[(i + 1) % 3];
-    if (a.z >= least) kept[count++] = flat_corner(a);
-    if ((a.z >= least) != (b.z >= least)) {
-      dvec3 between = a + (b - a) * ((least - a.z) / (b.z - a.z));
-      kept[count++] = flat_corner(dvec3(between.xy, least));
+    if (a.z >= min_depth) fan[count++] = flat_corner(a);
+    if ((a.z >= min_depth) != (b.z >= min_depth)) {
+      dvec3 between = a + (b - a) * ((min_depth - a.z) / (b.z - a.z));
+      fan[count++] = flat_corner(dvec3(between.xy, min_depth));
     }
   }
-  for (int i = 2; i < count; ++i) cover(kept[0], kept[i - 1], kept[i], triangle, lane);
+  for (int i = 2; i < count; ++i) cover(fan[0], fan[i - 1], fan[i], triangle, lane);
 }
 
 void main() {

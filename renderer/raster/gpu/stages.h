@@ -30,7 +30,7 @@ enum class Stage {
   columns,
   sky,
   skin,
-  meet_eyes,
+  intersect_eyes,
   ends,
   hidden,
   keep,

@@ -1,4 +1,4 @@
-// Lighting of the skin between strands. Reads the same as grid_shadow.glsl; grid_there tells whether anything occludes
+// Lighting of the skin between strands. Reads the same as grid_shadow.glsl; grid_there says whether anything occludes
 // light.
 
 // A visible position on the skin.

@@ -1,5 +1,5 @@
 // The light that a fibre of the fur sends to the camera. The includer defines near_there, near_cell, near_mean,
-// over_view and near_count, which tell about single strands near the camera, and the frame's shading_model and
+// over_view and near_count, which describe single strands near the camera, and the frame's shading_model and
 // light_count.
 
 // Returns the weight of single strands at a position, [0, 1]: above 0 close to the camera, where the picture is less

@@ -65,7 +65,7 @@ class Client(ServedTest):
         self.pelage("new", "--file", self.file("bad.obj", "f 1 2 3\n"), code=3)
         self.assertEqual(self.pelage("list").stdout, before)
 
-    def test_places_and_steps_are_said_in_the_words_of_recipes(self):
+    def test_positions_and_steps_are_printed_as_in_recipes(self):
         scene = self.new("--builtin", "sphere")
         self.pelage("run", scene, "-", text=json.dumps(THIN_COAT))
         self.assertRegex(self.pelage("pick", scene, 256, 256, "--camera", "front").stdout, r'in a recipe \{"at": \[0\.5\d*, 0\.5\d*, 1\]')
@@ -362,7 +362,7 @@ def slow_server(seconds):
 
 
 def on_a_terminal(*arguments):
-    """What the client writes to standard error where that is one."""
+    """Returns what the client writes to standard error if that is a terminal."""
     ours, theirs = pty.openpty()
     with subprocess.Popen([BIN / "pelage", *map(str, arguments)], stderr=theirs, stdout=subprocess.DEVNULL) as client:
         os.close(theirs)

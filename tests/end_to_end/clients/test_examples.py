@@ -25,7 +25,7 @@ LONG = {"op": "length", "flood": True, "mode": "scale", "value": 2}
 
 
 def program_or_skip(found, name):
-    """What a test needs is skipped without, but not in CI."""
+    """Skips a test whose program is missing; fails it in CI."""
     if found:
         return found
     if os.environ.get("CI") == "true":
@@ -130,7 +130,7 @@ class Checks(ExampleTest):
 
     @nightly
     def test_match_direction_of_a_patch(self):
-        """A picture that fans out from below its lower rim, which the program is not told how it was made."""
+        """Returns a picture of a fan around a position below its lower edge. The program does not know how it was made."""
         across = numpy.arange(256)
         x, y = across[None, :] - 128, 380 - across[:, None]
         rays = 128 + 100 * numpy.sin(60 * numpy.arctan2(x, y))  # light and dark from one point

@@ -1,4 +1,4 @@
-"""What the client tells to do next, in each case what helps there."""
+"""Next steps that the client suggests after an error."""
 
 import contextlib
 import http.server

@@ -76,7 +76,7 @@ class Contract(unittest.TestCase):
         self.assertEqual(members("NewScene"), set(inspect.signature(pelage.Server.create).parameters) - {"self"})
 
     def test_a_new_member_and_command_come_with_the_contract(self):
-        """What the generator makes of them."""
+        """The generator writes their classes and methods."""
         contract = json.loads(json.dumps(CONTRACT))
         schemas = contract["components"]["schemas"]
         schemas["Lift"]["properties"]["how_far"] = {"type": "number", "minimum": 0, "maximum": 2, "default": 1, "description": "Sizes"}

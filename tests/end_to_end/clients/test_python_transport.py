@@ -256,7 +256,7 @@ class Retries(ScriptedTest):
 
 
 class Streams(ScriptedTest):
-    def test_a_stream_goes_on_where_it_broke(self):
+    def test_a_stream_resumes_where_it_broke(self):
         state, first, second = ({"revision": number} for number in (0, 1, 2))
         scene = self.scene(news(("scene", 0, state), ("change", 1, first)), hang_up, answer(503, BUSY),
                            news(("change", 2, second), ("removed", 2, {})))
@@ -264,7 +264,7 @@ class Streams(ScriptedTest):
         self.assertEqual([type(one).__name__ for one in followed], ["SceneState", "Change", "Change", "Removed"])
         self.assertEqual([headers["Last-Event-ID"] for _, _, headers, _ in self.script.requests], [None, "1", "1", "1"])
 
-    def test_a_stream_that_breaks_now_and_then_goes_on(self):
+    def test_a_stream_that_breaks_now_and_then_resumes(self):
         breaks = [step for number in range(1, 5) for step in (hang_up, news(("change", number, {"revision": number})))]
         scene = self.scene(news(("scene", 0, {"revision": 0})), *breaks, hang_up, news(("removed", 4, {})), retries=2)
         self.assertEqual([one.revision for one in scene.follow()], [0, 1, 2, 3, 4, 4])

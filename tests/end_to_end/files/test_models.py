@@ -1,4 +1,4 @@
-"""Every shared model loads with its counts; every nasty one gets what the table says, and the server lives on."""
+"""Every shared model loads with its counts; every malformed one is answered as the table says, and the server stays alive."""
 
 import math
 import pathlib
@@ -15,13 +15,13 @@ EQUAL = [("spot.obj", "spot.ply", "spot.glb"), ("cat.obj", "cat_ascii.ply"), ("k
          ("goathead.obj", "goathead.stl"), ("spot_low.gltf", "spot_low_ascii.stl")]
 # Quads are two triangles and pentagons three; counts of the table are in faces and unwelded vertices.
 LARGE = "koala.ply"
-# Of glTF files, each of which starts a program that can read pictures, these stand for all.
+# These stand for all glTF files, each of which starts a program that can read pictures.
 NASTY_GLTF = ("BoxBadNormals.glb", "MissingBin.gltf", "derived_fox_truncated.glb")
 COUNTS = {"spot_control_mesh.obj": (188, 4 + 160 * 2 + 16 * 3), "spot.glb": (2930, 5856), "Fox.glb": (None, 576)}
 
 
 def spiky(corners):
-    """One polygon as OBJ, each second corner of which is the tip of a spike."""
+    """Returns one polygon as OBJ; each second corner is the tip of a spike."""
     lines = []
     for i in range(corners):
         angle, radius = 2 * math.pi * i / corners, 1 - i % 2 / 2
@@ -30,7 +30,7 @@ def spiky(corners):
 
 
 def rows(title):
-    """The cells of each row of the README's table under a heading."""
+    """Yields the cells of each row of the README's table under a heading."""
     text = (shared_folder() / "meshes" / "README.md").read_text()
     section = text.split(f"## {title}")[1].split("\n## ")[0]
     for line in section.splitlines():
@@ -52,7 +52,7 @@ class Uploads(ServedTest):
             self.server.call("DELETE", scene.path)
 
     def reports_with_counts(self, chosen):
-        """What the server says of each model whose name is chosen."""
+        """Returns the server's report on each model whose name is chosen."""
         reports = {}
         for name, *_, counts, _ in rows("Models"):
             if name.endswith(".png") or not chosen(name):
@@ -113,7 +113,7 @@ class Uploads(ServedTest):
             answer = self.upload(shared_folder() / "meshes" / "spot_control_mesh.obj", query)
             self.assertEqual(answer.status, status, (query, answer))
 
-    def test_a_groom_is_lost_only_where_that_is_said(self):
+    def test_a_groom_is_lost_only_with_discard(self):
         scene = self.server.new_scene("sphere", 500)
         scene.run({"op": "comb", "flood": True, "direction": [1, 0, 0]}, {"op": "noise", "flood": True})
         before = scene.info()
@@ -123,7 +123,7 @@ class Uploads(ServedTest):
         self.assert_problem(self.server.call("PUT", put, model, headers={"If-Match": '"7"'}), 412)
         self.assert_problem(self.server.call("PUT", put, b"f 1 2 3\n"), 422)
         self.assertEqual(scene.info(), before)
-        self.assertEqual(len(self.server.get("/v1/scenes").json["scenes"]), 1, "what was refused leaves no scene behind")
+        self.assertEqual(len(self.server.get("/v1/scenes").json["scenes"]), 1, "a refused upload leaves no scene behind")
         path = self.server.folder / "triangle.obj"
         path.write_bytes(model)
         self.pelage("load", scene.id, path, "--keep", "--discard", code=2)
@@ -145,21 +145,21 @@ class Uploads(ServedTest):
         path = self.server.folder / "cow.obj"
         path.write_text("".join(f"v {' '.join(str(float(x)) for x in line.split()[1:])}\n" if line.startswith("v ") else line
                                 for line in mesh.read_text().splitlines(keepends=True)))
-        said = self.pelage("load", scene.id, path).stdout
+        printed = self.pelage("load", scene.id, path).stdout
         after = scene.info()
-        self.assertIn(f"0 of {after['vertices']} vertices lie farther", said)
+        self.assertIn(f"0 of {after['vertices']} vertices lie farther", printed)
         self.assertEqual((after["up"], after["front"], after["undo_steps"]), ("y", "-z", 0))
         self.assertEqual(after["fields_hash"], before["fields_hash"], "the same mesh has the same fur")
         self.assertEqual(after["edit_layers"], before["edit_layers"])
         settings = self.server.get(f"{scene.path}/settings").json
         self.assertEqual((settings["coats"][0]["coat"]["wetness"], settings["skin"][0]["centre"]), (0.7, nose["centre"]))
-        kept = [one for one in self.server.get("/v1/scenes").json["scenes"] if one["name"] == f"{before['name']} before {after['revision']}"]
-        self.assertEqual([(one["undo_steps"], one["fields_hash"]) for one in kept], [(before["undo_steps"], before["fields_hash"])])
-        self.assertIn(kept[0]["id"], said)
+        copies = [one for one in self.server.get("/v1/scenes").json["scenes"] if one["name"] == f"{before['name']} before {after['revision']}"]
+        self.assertEqual([(one["undo_steps"], one["fields_hash"]) for one in copies], [(before["undo_steps"], before["fields_hash"])])
+        self.assertIn(copies[0]["id"], printed)
         self.server.terminate()
         self.server.start()
         self.assertEqual(scene.info(), after)
-        for _ in range(2):  # there is a groom to keep, though the log is empty
+        for _ in range(2):  # the scene is groomed, though its log is empty
             again = self.server.call("PUT", f"{scene.path}/model?format=obj", mesh.read_bytes()).json
             self.assertEqual((again["carried"]["far"], again["fields_hash"]), (0, before["fields_hash"]))
 
@@ -180,7 +180,7 @@ class Uploads(ServedTest):
     def wait_until_idle(self):
         deadline, last, since = time.monotonic() + 120, self.cpu_ticks(), time.monotonic()
         while time.monotonic() - since < 3:
-            self.assertLess(time.monotonic(), deadline, "the server works on")
+            self.assertLess(time.monotonic(), deadline, "the server is still busy")
             time.sleep(0.2)
             if (now := self.cpu_ticks()) > last + 1:
                 since = time.monotonic()
@@ -209,7 +209,7 @@ class Uploads(ServedTest):
         self.assert_problem(scene.run({"op": "mask", "material": {"name": "Pelt"}, "all": {}}), 422)
         self.server.terminate()
         self.server.start()
-        self.assertEqual(scene.info()["materials"], wanted, "names are kept in the journal")
+        self.assertEqual(scene.info()["materials"], wanted, "names are stored in the journal")
         finer = scene.post("subdivide", {}).json["materials"]
         self.assertEqual([(one["name"], one["triangles"]) for one in finer], [("Pelt", 40), ("Hoof.L", 24)])
 

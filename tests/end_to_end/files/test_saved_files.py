@@ -142,12 +142,12 @@ class SavedFiles(ServedTest):
             UPDATE sqlite_master SET rootpage = (SELECT rootpage FROM sqlite_master WHERE name = 'scenes') WHERE name = 'pictures'"""))
 
     def test_flipped_bits_make_a_whole_scene_or_none(self):
-        chance = random.Random(7)
+        rng = random.Random(7)
         versions = gzip.decompress(self.content), self.version_8()
         for _ in range(30):
-            bytes_now = bytearray(chance.choice(versions))
-            for _ in range(chance.choice((1, 1, 4, 64))):
-                bytes_now[chance.randrange(len(bytes_now))] ^= 1 << chance.randrange(8)
+            bytes_now = bytearray(rng.choice(versions))
+            for _ in range(rng.choice((1, 1, 4, 64))):
+                bytes_now[rng.randrange(len(bytes_now))] ^= 1 << rng.randrange(8)
             answer = self.open(gzip.compress(bytes(bytes_now), 1))
             self.assertIn(answer.status, (201, 422), answer)
             if answer.status == 201:

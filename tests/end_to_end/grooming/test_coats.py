@@ -138,8 +138,8 @@ class Coats(ServedTest):
             scene = self.server.new_scene("creature", 3000)
             self.pelage("run", scene.id, str(RECIPES / f"{name}.json"))
             self.assertEqual([coat["name"] for coat in scene.info()["coats"]], coats)
-            told = self.pelage("info", scene.id).stdout
-            self.assertTrue(all(f"coat        {coat}\n" in told for coat in coats), told)
+            printed = self.pelage("info", scene.id).stdout
+            self.assertTrue(all(f"coat        {coat}\n" in printed for coat in coats), printed)
 
 
 if __name__ == "__main__":

@@ -81,7 +81,7 @@ class Amend(ServedTest):
 
 
 class Branch(ServedTest):
-    def test_a_branch_goes_its_own_way(self):
+    def test_a_branch_changes_independently(self):
         scene = self.server.new_scene("sphere", 2000)
         thin = {"op": "set_coat", "coat": {"count": 2000}}
         scene.run(thin, comb([-0.5, 0, 0.5], [0.5, 0, 0.5], radius=0.3))
@@ -125,7 +125,7 @@ class Branch(ServedTest):
 
 class Difference(ServedTest):
     def yellow(self, image, side):
-        """How much more green than blue there is in the left or right half of the middle: tan fur has some."""
+        """Returns green minus blue in the left or right half of the middle; it is above 0 for tan fur."""
         columns = slice(26, 34) if side == "left" else slice(62, 70)
         return (image[44:52, columns, 1].astype(int) - image[44:52, columns, 2]).mean()
 

@@ -112,12 +112,12 @@ class Maps(ServedTest):
 
     def test_pictures_that_no_log_names_are_gone_after_a_restart(self):
         scene = self.server.new_scene("torus", 600)
-        kept = self.server.call("PUT", f"{scene.path}/pictures", png(numpy.full((4, 4, 3), 77))).json
-        self.assertEqual((kept["width"], kept["height"], kept["bits"]), (4, 4, 8))
+        stored = self.server.call("PUT", f"{scene.path}/pictures", png(numpy.full((4, 4, 3), 77))).json
+        self.assertEqual((stored["width"], stored["height"], stored["bits"]), (4, 4, 8))
         self.assertEqual(scene.info()["revision"], 0)
         self.server.terminate()
         self.server.start()
-        self.assert_problem(scene.run({"op": "map", "picture": kept["picture"]}), 422, "/picture")
+        self.assert_problem(scene.run({"op": "map", "picture": stored["picture"]}), 422, "/picture")
 
     def test_a_mask_from_a_picture(self):
         scene = self.server.new_scene("plane", 800)
@@ -232,7 +232,7 @@ class Maps(ServedTest):
                 result = self.put(scene, field, answer.body).json["results"][0]
                 for change in result["fields"]:
                     worst = change["max_change"]
-                    # Vertices a fifth of a pixel apart cannot all be met by pixels that are held in [0, 1].
+                    # Pixels, clamped to [0, 1], cannot fit all of several vertices that are a fifth of a pixel apart.
                     if field == "density":
                         worst = change["mean_change"] * change["changed"] / scene.info()["vertices"] / 10
                     self.assertLessEqual(worst, limit * max(about["scale"], 0.05), (field, format, change))

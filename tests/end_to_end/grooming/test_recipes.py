@@ -44,7 +44,7 @@ class Recipes(ServedTest):
     def length_at(self, scene, eye):
         return self.picked(scene, eye)["length"]
 
-    def test_refusals_name_the_file_and_the_place(self):
+    def test_refusals_name_the_file_and_the_position(self):
         scene = self.new("--builtin", "sphere")
         self.file("ear.json", {"variables": {"size": 0.1}, "steps": [{"op": "lift", "flood": True, "brush": {"raduis": "${size}"}}]})
         recipe = self.file("head.json", {"include": ["ear.json"], "steps": [{"use": "ear"}]})
@@ -150,15 +150,15 @@ class Recipes(ServedTest):
             self.assertEqual(self.revision(scene), 0 if line else 1)
             scene = self.new("--builtin", "sphere", "--triangles", 2000)
 
-    def test_places_are_picked_kept_and_used(self):
+    def test_places_are_picked_stored_and_used(self):
         scene = self.new("--builtin", "sphere", "--triangles", 2000)
         places = self.server.folder / "sphere.places.json"
         printed = self.pelage("pick", scene, "--farthest", "0,1,0", "--box", "0,0.5,0,1,1,1", "--as", "crown", "--places", places).stdout
         self.assertIn('"as": "crown"', printed)
         self.pelage("pick", scene, "--nearest", "0.5,-3,0.5", "--as", "base", "--places", places)
-        kept = json.loads(places.read_text())
+        stored = json.loads(places.read_text())
         for name, y in (("base", 0), ("crown", 1)):
-            self.assertTrue(all(abs(a - b) < 0.02 for a, b in zip(kept[name], [0.5, y, 0.5])), kept)
+            self.assertTrue(all(abs(a - b) < 0.02 for a, b in zip(stored[name], [0.5, y, 0.5])), stored)
         step = json.loads(printed.split("a step")[1])
         recipe = self.file("crown.json", {"variables": {"base": [0.5, 1, 0.5]}, "steps": [step, {
             "op": "length", "value": 0.2, "brush": {"radius": 0.1, "strength": 1, "falloff": "constant"},
@@ -188,7 +188,7 @@ class Recipes(ServedTest):
             self.pelage("run", scene, folder / "siamese.json", "--places", folder / f"{name}.places.json")
             self.assertEqual(json.loads(self.pelage("info", scene, "--json").stdout)["undo_steps"], 22, name)
 
-    def test_each_way_to_pick(self):
+    def test_each_kind_of_pick(self):
         scene = self.new("--builtin", "sphere", "--triangles", 2000)
         world = json.loads(self.pelage("pick", scene, "--ray", "0,9,0,0,-1,0", "--world", "--json").stdout)
         shares = json.loads(self.pelage("pick", scene, "--ray=0.5,5,0.5,0,-1,0", "--json").stdout)

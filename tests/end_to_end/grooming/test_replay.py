@@ -133,7 +133,7 @@ class Crash(ServedTest):
         found = scene.info()
         self.assertEqual(found["name"], "survivor")
         last = answered[-1]
-        # What was being done when the server died may be there or not; what was answered is.
+        # The change in progress at the kill may be lost; acknowledged changes are not.
         self.assertGreaterEqual(found["revision"], last["revision"])
         self.assertLessEqual(found["revision"], last["revision"] + 1)
         if found["revision"] == last["revision"]:

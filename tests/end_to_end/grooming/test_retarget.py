@@ -22,8 +22,8 @@ class Retarget(ServedTest):
     @nightly
     def test_no_root_moves(self):
         # On a plane hardly more than rounding differs. On a body the new vertices have unit normals, where they were
-        # interpolated before, which silhouettes show. Other roots differ by more. All strands are looked at: which of
-        # them a frame of fewer keeps follows how the surface is divided.
+        # interpolated before, which silhouettes show. Other roots differ by more. All strands are compared, because
+        # a frame with fewer strands selects them by how the surface is divided.
         traced = {"quality": {"method": "strands", "trace": {"passes": 16}}}
         for builtin, maximum in (("plane", 0.005), ("creature", 0.065)):
             scene = self.server.new_scene(builtin, 5000)
@@ -84,7 +84,7 @@ class Retarget(ServedTest):
         self.assertEqual(scene.info(), after)
         self.assertEqual(self.picture(scene), picture)
         version = self.server.call("PUT", f"{scene.path}/model?format=obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-        self.assertIn("carried", version.json, "there is a groom to keep, though the log is empty")
+        self.assertIn("carried", version.json, "the scene is groomed, though its log is empty")
 
     def test_fields_of_another_scene(self):
         source = self.server.new_scene("sphere", 3000, name="source")
@@ -129,13 +129,13 @@ class Retarget(ServedTest):
         self.assertIn("/scene", self.pelage("run", scene.id, example, code=3).stderr)
 
     def test_the_log_of_one_scene_on_another(self):
-        source = self.server.new_scene("creature", 3000, name="carried")
+        source = self.server.new_scene("creature", 3000, name="animal")
         view = {"camera": {"auto": "left"}, "width": 200, "height": 200}
         samples = [{"screen": [70 + 8 * i, 100]} for i in range(8)]
         source.run({"op": "comb", "stroke": {"view": view, "samples": samples}, "brush": {"radius": 20, "units": "pixels"}})
         source.run({"op": "mask", "box": {"min": [-1, 0, -1], "max": [1, 0.4, 1]}}, flood([0, -1, 0]), {"op": "mask"})
         target = self.server.new_scene("sphere", 3000, name="ball")
-        lines = self.pelage("log", "carried", "--lines", "--for", "ball").stdout
+        lines = self.pelage("log", "animal", "--lines", "--for", "ball").stdout
         self.assertEqual(len(lines.splitlines()), 2)
         self.assertNotIn("view", lines)
         printed = self.pelage("run", target.id, "-", "--verbose", text=lines).stdout
@@ -146,7 +146,7 @@ class Retarget(ServedTest):
         self.assertIn("step 3", refused.json["detail"])
         self.assert_problem(self.server.get(f"{source.path}/log?format=jsonl&for=none"), 422, "/for")
         self.assert_problem(self.server.get(f"{source.path}/log?for={target.id}"), 422, "/for")
-        self.pelage("log", "carried", "--for", "ball", code=2)
+        self.pelage("log", "animal", "--for", "ball", code=2)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What a scene holds beside its fields, read and sent back over HTTP."""
+"""Settings of a scene, read and sent back over HTTP."""
 
 import unittest
 

@@ -37,7 +37,7 @@ def eroded(mask, pixels):
 
 class Tools(ServedTest):
     def share_changed(self, before, after):
-        """Of the pixels that show fur before or after, the share that differs by more than 2 of 255."""
+        """Returns the share of pixels that differ by more than 2 of 255, among those that show fur before or after."""
         fur = (before[..., 3] > 0) | (after[..., 3] > 0)
         differs = numpy.abs(before.astype(int) - after.astype(int)).max(axis=-1) > 2
         return (differs & fur).sum() / fur.sum()

@@ -95,7 +95,7 @@ class Wind(ServedTest):
         def moved(*commands):
             scene = self.scene(BREEZE, *commands)
             first, later = (scene.frame(**SIZE, time=time).image.astype(float) for time in (2, 4.5))
-            blocks = (first - later).reshape(24, 4, 24, 4, -1).mean(axis=(1, 3))  # strands that pass a pixel tell no distance
+            blocks = (first - later).reshape(24, 4, 24, 4, -1).mean(axis=(1, 3))  # a pixel that strands pass shows no distance
             return numpy.abs(blocks).mean()
 
         paint = {"op": "paint", "flood": True, "field": "stiffness", "brush": {"strength": 1}}
@@ -120,7 +120,7 @@ class Wind(ServedTest):
         self.assert_problem(scene.post("frames", {**SIZE, "quality": {"method": "strands", "trace": trace}}), 422, "/quality/trace/shutter")
 
     def detail(self, picture):
-        """How much neighbours differ."""
+        """Returns the mean difference of neighbours."""
         return numpy.abs(numpy.diff(picture, axis=0)).mean() + numpy.abs(numpy.diff(picture, axis=1)).mean()
 
     def test_what_is_beyond_is_refused(self):

@@ -39,10 +39,10 @@ class RenderCheckTest(JobTest):
         return self.moving(scene="fly.gltf", options={"format": "gltf"}, motion={"model": model, "animation": animation}, **more)
 
     def refused(self, job, *arguments):
-        """What is said of a job that is wrong."""
-        said = self.render(job, "--check", *arguments, code=3)
-        self.assertIn("openjd_fail: ", said.stdout)
-        return said.stderr
+        """Returns the messages about a wrong job."""
+        checked = self.render(job, "--check", *arguments, code=3)
+        self.assertIn("openjd_fail: ", checked.stdout)
+        return checked.stderr
 
     def test_an_animation_that_the_file_does_not_have(self):
         self.write_animated("fly.gltf")

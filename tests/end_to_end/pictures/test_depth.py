@@ -35,8 +35,8 @@ class Depth(ServedTest):
     def seen_height(self, scene, quality, elevation, distance):
         angle = math.radians(elevation)
         target = [(low + high) / 2 for low, high in zip(*(scene.info()["bounds"][k] for k in ("min", "max")))]
-        way = (.6 * math.cos(angle), math.sin(angle), .8 * math.cos(angle))
-        camera = {"position": [t + distance * w for t, w in zip(target, way)], "target": target, "up": [0, 1, 0],
+        direction = (.6 * math.cos(angle), math.sin(angle), .8 * math.cos(angle))
+        camera = {"position": [t + distance * w for t, w in zip(target, direction)], "target": target, "up": [0, 1, 0],
                   "fov_degrees": 1.5 if distance > 3 else 35}
         return self.light(scene, HEIGHT, quality, camera) / self.light(scene, GREY, quality, camera)
 

@@ -83,7 +83,7 @@ class Dial(ServedTest):
             self.assertEqual(planned.body, again.body)
             self.assertEqual(header(again, "pelage-quality"), header(planned, "pelage-quality"))
 
-    def test_both_ways_of_asking_agree(self):
+    def test_get_and_post_agree(self):
         """The correction may move between two frames, so the knobs that the first one names are what is asked again."""
         got = self.server.get(f"{self.scene.path}/frame.png?width=128&height=128&max_error=0.5")
         self.assertEqual((got.status, header(got, "pelage-error")["end"]), (200, "error"))
@@ -119,7 +119,7 @@ class Dial(ServedTest):
             seen.setdefault(header(answer, "pelage-error")["correction"], set()).add(answer.headers["pelage-quality"])
         self.assertTrue(all(len(knobs) == 1 for knobs in seen.values()), seen)
 
-    def test_what_was_missed_is_said(self):
+    def test_a_missed_goal_is_reported(self):
         trace = {"strands": 20000, "passes": 4096, "seconds": 0.01}
         for request, missed in (({"budget_ms": 1, "width": 2048, "height": 2048}, "budget_ms"),
                                 ({"max_error": 0.000001}, "max_error"),
@@ -171,7 +171,7 @@ class StoredCalibration(unittest.TestCase):
         scene.run(THIN_COAT)
         return header(scene.frame(budget_ms=50, width=32, height=32), "pelage-error")["calibration"]
 
-    def test_a_broken_file_is_said_and_the_defaults_count(self):
+    def test_a_broken_file_is_reported_and_the_defaults_are_used(self):
         server = Server()
         self.addCleanup(server.close)
         self.assertEqual(self.calibration_of(server), "defaults")
@@ -219,14 +219,14 @@ class StoredCalibration(unittest.TestCase):
         self.assertEqual(run.returncode, 2, run)
         self.assertEqual(run.stderr.splitlines()[0], "--gl: some not in {auto,egl,none,osmesa}")
 
-    def test_without_a_gl_each_way_is_said_once_and_what_helps(self):
+    def test_without_a_gl_each_reason_is_printed_once_with_a_next_step(self):
         with tempfile.TemporaryDirectory() as empty:
             run = subprocess.run([BIN / "pelaged", "--gl", "egl", "--data", empty], capture_output=True, text=True,
                                  env={**os.environ, "__EGL_VENDOR_LIBRARY_DIRS": empty})
         self.assertEqual(run.returncode, 4, run)
         said, following = run.stderr.splitlines()
-        ways = said.removeprefix("pelaged: no OpenGL 4.5: ").split("; ")
-        self.assertEqual(len(set(ways)), len(ways), said)
+        reasons = said.removeprefix("pelaged: no OpenGL 4.5: ").split("; ")
+        self.assertEqual(len(set(reasons)), len(reasons), said)
         self.assertTrue(following.startswith("  next:    "), run.stderr)
 
 

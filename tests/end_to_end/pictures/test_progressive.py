@@ -50,7 +50,7 @@ class Traced(ServedTest):
         self.assertEqual(answer.status, 200, answer)
         return answer.json["revision"]
 
-    # To the end
+    # Progressive rendering to the end
 
     def test_reference_png(self):
         answer = self.reference()
@@ -170,7 +170,7 @@ class Traced(ServedTest):
             last[view["view"]] = answer
         self.assertFalse(numpy.array_equal(last["left"].image, last["right"].image))
 
-    def test_grooming_goes_on_beside_progressive_rendering(self):
+    def test_grooming_works_beside_progressive_rendering(self):
         long = {"passes": 60000, "strands": 20000}
         self.ask(progressive=long)
         for _ in range(3):

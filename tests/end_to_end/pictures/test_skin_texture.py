@@ -106,7 +106,7 @@ class FurPatches(ServedTest):
     def load(self, scene, how, with_uvs=True):
         return self.server.call("PUT", f"{scene.path}/model?format=obj&fur_patches={how}", sheet(with_uvs=with_uvs))
 
-    def test_each_way_is_drawn_and_kept(self):
+    def test_each_fur_layout_is_drawn_and_stored(self):
         frames = {}
         for how in ("overlapping", "hard", "own_uvs"):
             scene = self.server.new_scene("plane", 2)

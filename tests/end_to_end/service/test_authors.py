@@ -1,4 +1,4 @@
-"""Who made each change."""
+"""Authors of changes."""
 
 import json
 import unittest

@@ -1,4 +1,4 @@
-"""A journal that is damaged, cut, gone or on a full disk: the rest is served, and what is wrong is said."""
+"""A journal that is damaged, cut, missing or on a full disk: everything else is served, and the fault is reported."""
 
 import os
 import pathlib
@@ -37,10 +37,10 @@ class DamageTest(ServedTest):
         with sqlite3.connect(self.file) as database:
             value = database.execute(question, parameters).fetchone()[0]
         at = len(value) // 2
-        piece = value[max(at - 40, 0):at + 40]
+        middle = value[max(at - 40, 0):at + 40]
         content = bytearray(self.file.read_bytes())
-        self.assertEqual(content.count(piece), 1, "its bytes stand in the file once")
-        content[content.index(piece) + len(piece) // 2] ^= 4
+        self.assertEqual(content.count(middle), 1, "its bytes occur in the file once")
+        content[content.index(middle) + len(middle) // 2] ^= 4
         self.file.write_bytes(content)
 
     def restart_with_flip(self, question, *parameters):
@@ -110,7 +110,7 @@ class OneBadScene(DamageTest):
 
 
 class ShorterLog(DamageTest):
-    def test_a_wal_that_is_gone_is_said(self):
+    def test_a_missing_wal_is_reported(self):
         scene = self.groomed()
         self.assertEqual(self.server.terminate(), 0)
         self.server.start()

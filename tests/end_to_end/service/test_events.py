@@ -95,7 +95,7 @@ class Events(ServedTest):
             self.assertEqual(stream.next(), Event("scene", "1", expected))
             self.assertEqual(stream.retry, "1000")
 
-    def test_each_change_is_told_in_order(self):
+    def test_each_change_is_sent_in_order(self):
         with Stream(self.scene) as stream:
             self.assertEqual(stream.next().name, "scene")
             self.scene.run(flood([1, 0, 0]), {"op": "length", "flood": True, "value": 0.05}, flood([0, 0, 1]))
@@ -248,7 +248,7 @@ class Events(ServedTest):
             self.assert_changes([stream.next()], [1])
 
 
-class Places(ServedTest):
+class StreamLimit(ServedTest):
     def held(self):
         text = self.server.get("/metrics").body.decode()
         return int(text.split("\npelage_event_streams ")[1].split("\n")[0])
@@ -282,7 +282,7 @@ class Places(ServedTest):
                 stream.close()
         self.wait_held(0)
 
-    def test_a_client_that_is_cut_off_frees_its_place(self):
+    def test_a_client_that_is_cut_off_frees_its_stream(self):
         scene = self.server.new_scene("plane", 2)
         with socket.create_connection(("127.0.0.1", self.server.port)) as connection:
             connection.sendall(f"GET {scene.path}/events HTTP/1.1\r\nHost: localhost\r\n\r\n".encode())

@@ -95,7 +95,7 @@ class Framing(ServedTest):
         one = self.server.get("/openapi.json", headers={"Range": "bytes=0-9"})
         self.assertEqual((one.status, one.body), (200, whole.body))
 
-    def test_what_an_address_takes_is_said(self):
+    def test_refused_methods_list_the_allowed_ones(self):
         for method, path, takes in (("DELETE", "/v1/scenes", "GET, HEAD, POST"), ("PATCH", self.scene.path, "GET, HEAD, DELETE"),
                                     ("PATCH", "/nothing", "GET, HEAD, POST, PUT, DELETE")):
             answer = self.server.call(method, path)
@@ -114,7 +114,7 @@ class Framing(ServedTest):
         for word in ("0", "false"):
             self.assertTrue(self.server.get(f"{scene.path}/export/usda?dry_run={word}").body.startswith(b"#usda"))
 
-    def test_heads_promise_what_is_kept(self):
+    def test_heads_match_their_answers(self):
         scene = self.server.new_scene("plane", 2)
         scene.thin_out()
         answer = self.server.call("HEAD", f"{scene.path}/export/usda")

@@ -1,4 +1,4 @@
-"""What the server says about requests in its log."""
+"""Requests in the server's log."""
 
 import json
 import re

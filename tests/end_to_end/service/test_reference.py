@@ -188,12 +188,12 @@ class Examples(ServedTest):
     def test_operations(self):
         for operation in CONTRACT.operations:
             client = CLIENTS[operation.id]
-            for way, text in (("curl", examples.curl(operation)), ("cli", client.get("cli")), ("python", examples.operation_python(client["python"]))):
-                if text is None or way != "python" and operation.id == "events":  # which does not end
+            for kind, text in (("curl", examples.curl(operation)), ("cli", client.get("cli")), ("python", examples.operation_python(client["python"]))):
+                if text is None or kind != "python" and operation.id == "events":  # which does not end
                     continue
                 pictures = bool(re.search(f"{PICTURE}|skin_texture", text))
-                with self.subTest(f"{operation.id} {way}"), self.fox("torus", pictures=pictures) as (_, real):
-                    if way == "python":
+                with self.subTest(f"{operation.id} {kind}"), self.fox("torus", pictures=pictures) as (_, real):
+                    if kind == "python":
                         self.python(real(text))
                     else:
                         self.shell(real(text).replace("curl ", "curl --silent --show-error --fail-with-body ", 1))

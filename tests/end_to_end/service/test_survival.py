@@ -1,4 +1,4 @@
-"""What ends other programs: signals, numbers beyond what a library takes, memory that runs out."""
+"""Events that end other programs: signals, numbers beyond a library's range, memory that runs out."""
 
 import itertools
 import os
@@ -46,7 +46,7 @@ class Survival(ServedTest):
         self.assertEqual(self.scene.run({"op": "set_lights", "lights": [light]}).status, 200)
         self.scene.frame()
 
-    def test_held_and_continued_it_goes_on(self):
+    def test_it_runs_again_after_sigstop_and_sigcont(self):
         process = self.server.process
         for _ in range(3):
             process.send_signal(signal.SIGSTOP)

@@ -9,6 +9,8 @@ from support.server import BIN
 
 CONTRACT = json.loads((BIN / "openapi.json").read_text())
 SCHEMAS = CONTRACT["components"]["schemas"]
+# The names of the commands' schemas, by their ops.
+COMMANDS = {SCHEMAS[one["$ref"].rsplit("/", 1)[1]]["properties"]["op"]["const"]: one["$ref"].rsplit("/", 1)[1] for one in SCHEMAS["Command"]["oneOf"]}
 
 
 def validator(schema):

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "tests/extremes/both_ways.h"
+#include "tests/extremes/aov_checker.h"
 #include "tests/extremes/row_scene.h"
 #include "tests/extremes/with_store.h"
 
@@ -21,15 +21,15 @@ TEST_P(Large, APictureOf8192IsDrawnAndRefusedToTracing) {
                 .value = "8192 x 8192",
                 .frame = R"({"width": 8192, "height": 8192, "quality": {"method": "shells", "shells": {"count": 1}}})"};
   const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
-  BothWays ways(*renderer);
+  AovChecker checker(*renderer);
   FrameRequest request = request_of(row).value();
   for (const FrameRequest& drawn : {request, rasterized(request)}) {
-    const Result<Image> image = ways.show(*scene, drawn);
+    const Result<Image> image = checker.show(*scene, drawn);
     ASSERT_TRUE(image.ok()) << image.status().message;
     for (std::size_t i = 3; i < image->rgba.size(); i += 4) ASSERT_EQ(image->rgba[i], 255);
   }
   request.knobs.method = Method::strands;
-  const auto traced = ways.trace(*scene, request);
+  const auto traced = checker.trace(*scene, request);
   ASSERT_FALSE(traced.ok());
   EXPECT_EQ(traced.status().code, Code::too_large);
   EXPECT_EQ(traced.status().pointer, "/width");
@@ -41,9 +41,9 @@ TEST_P(Large, AModelOfAMillionTriangles) {
                 .scene = R"({"model": {"builtin": "torus", "triangles": 1000000}, "fur": {"length": 0.05}})"};
   const std::shared_ptr<Scene> scene = scene_of(row, *store_).value();
   EXPECT_GT(scene->model()->surface.mesh().triangles.size(), 990'000u);
-  BothWays ways(*renderer);
+  AovChecker checker(*renderer);
   std::string complaint;
-  const Status status = ways.look_at(*scene, request_of(row).value(), complaint);
+  const Status status = checker.look_at(*scene, request_of(row).value(), complaint);
   EXPECT_TRUE(status.ok()) << status.message;
   EXPECT_EQ(complaint, "");
 }

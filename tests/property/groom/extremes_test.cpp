@@ -94,14 +94,14 @@ TEST(Extremes, OppositeNeighboursSmoothToATuftOrKeepTheirInclination) {
   const FieldSet tuft = after(smooth, plane, before);
   expect_in_range(tuft);
   smooth.keep_inclination = true;
-  const FieldSet kept = after(smooth, plane, before);
-  float min = 1, min_kept = 1;
+  const FieldSet inclined = after(smooth, plane, before);
+  float min = 1, min_inclined = 1;
   for (std::uint32_t v = 0; v < before.size(); ++v) {
     min = std::min(min, glm::length(tuft.at(v).direction));
-    min_kept = std::min(min_kept, glm::length(kept.at(v).direction));
+    min_inclined = std::min(min_inclined, glm::length(inclined.at(v).direction));
   }
   EXPECT_LT(min, 0.6f);
-  EXPECT_GT(min_kept, 1 - 1e-5f);
+  EXPECT_GT(min_inclined, 1 - 1e-5f);
 }
 
 TEST(Extremes, FurOnAFoldIsSmoothedAndSpreadFinitely) {

@@ -44,11 +44,11 @@ bool by_heat(const Command& command) {
 std::string disagreement(const Command& command, const Surface& surface, CommandMaker& make) {
   const Result<Command> resolved = resolve(command, surface);
   if (!resolved.ok() || by_heat(command)) return {};
-  const FieldSet before = make.fields(), rest = make.fields();
+  const FieldSet before = make.fields(), baseline = make.fields();
   const Coat coat = make.coat();
   FieldSet after = before;
-  after.apply(evaluate(*resolved, surface, before, {coat, &rest}).delta);
-  const plain::Stage stage{plain::Body(surface), coat, plain::read(rest)};
+  after.apply(evaluate(*resolved, surface, before, {coat, &baseline}).delta);
+  const plain::Stage stage{plain::Body(surface), coat, plain::read(baseline)};
   const std::string difference = difference_of(plain::groomed(*resolved, stage, plain::read(before)), after);
   return difference.empty() ? difference : op_of(command) + (": " + difference);
 }

@@ -27,9 +27,9 @@ using testing_commands::tool_count;
 using testing_commands::Views;
 using testing_models::surface_of;
 
-FieldSet after(const Command& command, const Surface& surface, const FieldSet& before, const FieldSet& rest) {
+FieldSet after(const Command& command, const Surface& surface, const FieldSet& before, const FieldSet& baseline) {
   FieldSet fields = before;
-  fields.apply(evaluate(command, surface, before, {{}, &rest}).delta);
+  fields.apply(evaluate(command, surface, before, {{}, &baseline}).delta);
   return fields;
 }
 
@@ -150,14 +150,14 @@ std::string difference_when_moved(std::size_t tool, std::uint64_t seed, bool mir
   const Command command = make.command(tool);
   if (by_chance(command) || has_hard_edge(command) || !resolve(command, here).ok()) return {};
   const Command moved = testing_commands::moved(command, motion, here, there, new_indices);
-  const FieldSet before = make.fields(), rest = make.fields();
+  const FieldSet before = make.fields(), baseline = make.fields();
   const FieldSet before_there = moved_fields(before, here, there, motion, new_indices),
-                 rest_there = moved_fields(rest, here, there, motion, new_indices);
-  const FieldSet expected = moved_fields(after(command, here, before, rest), here, there, motion, new_indices);
+                 baseline_there = moved_fields(baseline, here, there, motion, new_indices);
+  const FieldSet expected = moved_fields(after(command, here, before, baseline), here, there, motion, new_indices);
   // 32-bit positions and normals are rounded again. Where a heading is nearly across the skin, rounding decides its
   // tangent direction.
   constexpr double tolerance = 2e-4;
-  return difference_of(expected, after(moved, there, before_there, rest_there), tolerance, 1 + before.size() / 50);
+  return difference_of(expected, after(moved, there, before_there, baseline_there), tolerance, 1 + before.size() / 50);
 }
 
 class ToolRelations : public ::testing::TestWithParam<std::size_t> {};
@@ -217,10 +217,10 @@ TEST_P(ToolRelations, NumbersOfVerticesDoNotMatter) {
     CommandMaker make(seed, here, Numbers::ordinary);
     Command command = make.command(GetParam());
     if (!resolve(command, here).ok()) return;
-    const FieldSet before = make.fields(), rest = make.fields();
-    const FieldSet expected = renumbered(after(command, here, before, rest), new_indices);
+    const FieldSet before = make.fields(), baseline = make.fields();
+    const FieldSet expected = renumbered(after(command, here, before, baseline), new_indices);
     testing_commands::renumber_vertices(command, new_indices);
-    const FieldSet found = after(command, there, renumbered(before, new_indices), renumbered(rest, new_indices));
+    const FieldSet found = after(command, there, renumbered(before, new_indices), renumbered(baseline, new_indices));
     const std::string difference = difference_of(expected, found, 1e-5);
     if (!difference.empty()) RC_FAIL(difference);
   }));

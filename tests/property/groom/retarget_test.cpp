@@ -104,7 +104,7 @@ RC_GTEST_PROP(SubdivideProperties, AnyModelAndChoice, (std::uint64_t seed)) {
   check_in_range(subdivided(fields, mesh, finer->mesh, finer->parents));
 }
 
-RC_GTEST_PROP(RetargetProperties, CarriedCommandsRunOnTheOtherModel, (std::uint64_t seed)) {
+RC_GTEST_PROP(RetargetProperties, TransferredCommandsRunOnTheOtherModel, (std::uint64_t seed)) {
   Random random(seed, 10);
   const Surface from = moved(any_model(random), random), to = moved(any_model(random), random);
   CommandMaker maker(seed, from, Numbers::ordinary);
@@ -120,9 +120,9 @@ RC_GTEST_PROP(RetargetProperties, CarriedCommandsRunOnTheOtherModel, (std::uint6
   RC_ASSERT(transferred->index() == command.index());
   const Result<Command> there = resolve(*transferred, to);
   if (!there) return;  // may be out of reach on a different model
-  const FieldSet fields = other.fields(), rest = other.fields();
+  const FieldSet fields = other.fields(), baseline = other.fields();
   FieldSet result = fields;
-  result.apply(evaluate(*there, to, fields, {{}, &rest}).delta);
+  result.apply(evaluate(*there, to, fields, {{}, &baseline}).delta);
   check_in_range(result);
 }
 

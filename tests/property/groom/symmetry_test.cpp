@@ -159,7 +159,7 @@ class Opposites : public ::testing::Test {
   FieldSet upright_ = first_groom(sphere_.mesh(), {.length = 0.1, .inclination = 0});
 };
 
-TEST_F(Opposites, CombWindPartingAndNoiseLeanTheOtherWay) {
+TEST_F(Opposites, CombWindPartingAndNoiseLeanInTheOppositeDirection) {
   Comb comb;
   comb.stroke = stroke_through(sphere_, {{0.2, 0, 0.2}, {0, 0.1, 0.25}});
   comb.brush.radius = 0.2;

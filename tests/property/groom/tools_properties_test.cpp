@@ -71,10 +71,10 @@ struct Try {
         make(seed, surface, numbers),
         command(make.command(tool)),
         before(make.fields()),
-        rest(make.fields()),
+        baseline(make.fields()),
         coat(make.coat()) {}
 
-  Evaluation evaluated(const Command& tool) const { return evaluate(tool, surface, before, {coat, &rest}); }
+  Evaluation evaluated(const Command& tool) const { return evaluate(tool, surface, before, {coat, &baseline}); }
   Evaluation evaluated() const { return evaluated(command); }
   bool good() const { return usable(command, surface); }
 
@@ -82,7 +82,7 @@ struct Try {
   Surface surface;
   CommandMaker make;
   Command command;
-  FieldSet before, rest;
+  FieldSet before, baseline;
   Coat coat;
 };
 
@@ -138,7 +138,7 @@ bool changes_the_mask(const Command& command) {
 
 TEST_P(EveryTool, ChangesNothingOutsideBrushAndMask) {
   all(Numbers::ordinary, [](const Try& one) {
-    const plain::Stage stage{plain::Body(one.surface), one.coat, plain::read(one.rest)};
+    const plain::Stage stage{plain::Body(one.surface), one.coat, plain::read(one.baseline)};
     const plain::Fur fur = plain::read(one.before);
     std::visit(
         [&](const auto& tool) {
@@ -159,7 +159,7 @@ TEST_P(EveryTool, ChangesNothingWhereTheMaskIsZero) {
     if (changes_the_mask(one.command)) return;
     FieldSet masked = one.before;
     for (std::uint32_t v = 0; v < masked.size(); ++v) masked.set(Field::mask, v, glm::vec4(0));
-    RC_ASSERT(evaluate(one.command, one.surface, masked, {one.coat, &one.rest}).delta.empty());
+    RC_ASSERT(evaluate(one.command, one.surface, masked, {one.coat, &one.baseline}).delta.empty());
   });
 }
 

@@ -1,5 +1,5 @@
 // What is encoded decodes to the same thing, bit for bit. Equality is compared on the encoded text, which has every
-// field with all its digits; a second test shows that the text tells different commands apart.
+// field with all its digits; a second test shows that different commands have different texts.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 

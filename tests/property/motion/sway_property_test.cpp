@@ -14,8 +14,8 @@ double between(double low, double high) {
 }
 /// Often an end of the range, else log-uniform.
 double any(double low, double high) {
-  const double least = std::max(low, 1e-6);
-  return *rc::gen::element(low, high, std::exp(between(std::log(least), std::log(high))));
+  const double min_positive = std::max(low, 1e-6);
+  return *rc::gen::element(low, high, std::exp(between(std::log(min_positive), std::log(high))));
 }
 glm::dvec3 any_vector() {
   const glm::dvec3 made(between(-1, 1), between(-1, 1), between(-1, 1));

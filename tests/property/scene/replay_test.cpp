@@ -96,7 +96,7 @@ TEST_P(ReplayTest, AnyRevisionCanBeGoneBackTo) {
 }
 
 /// Undoes every step and then redoes it. Returns the hash after each move.
-std::vector<FieldsHash> way_back_and_forth(Scene& scene) {
+std::vector<FieldsHash> hashes_of_undo_and_redo(Scene& scene) {
   std::vector<FieldsHash> hashes;
   const std::size_t steps = scene.summary().undo_steps;
   const auto go = [&](const HistoryMove& move) {
@@ -117,12 +117,12 @@ TEST_P(ReplayTest, StepsBeyondTheUndoMemoryComeBackFromTheJournal) {
     Script script(*scene, GetParam() + 2000);
     while (scene->revision() < 100 && !HasFatalFailure()) script.act();
     const FieldsHash last = hash(*scene);
-    std::vector<FieldsHash> way = way_back_and_forth(*scene);
+    std::vector<FieldsHash> hashes = hashes_of_undo_and_redo(*scene);
     const int steps = static_cast<int>(scene->summary().undo_steps);
     EXPECT_EQ(move(*scene, Undo{steps}).fields_hash, first);
     EXPECT_EQ(move(*scene, Redo{steps}).fields_hash, last);
-    way.insert(way.end(), {first, last});
-    return way;
+    hashes.insert(hashes.end(), {first, last});
+    return hashes;
   };
   const std::vector<FieldsHash> all_in_memory = run(limits::undo_bytes);
   EXPECT_EQ(run(0), all_in_memory);

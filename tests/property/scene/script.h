@@ -259,14 +259,14 @@ class Script {
     const std::string id = "k" + std::to_string(below(3)) + "_" + std::to_string(strokes_++);
     for (std::size_t part = 0, at = 0; part < parts; ++part) {
       const std::size_t end = whole.stroke->samples.size() * (part + 1) / parts;
-      Comb piece = whole;
-      piece.stroke->id = id;
-      piece.stroke->part = static_cast<std::uint32_t>(part);
-      piece.stroke->last = finished && part + 1 == parts;
-      piece.stroke->samples.assign(whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(at),
-                                   whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(end));
+      Comb part_command = whole;
+      part_command.stroke->id = id;
+      part_command.stroke->part = static_cast<std::uint32_t>(part);
+      part_command.stroke->last = finished && part + 1 == parts;
+      part_command.stroke->samples.assign(whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(at),
+                                          whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(end));
       at = end;
-      send({piece});
+      send({part_command});
     }
   }
 

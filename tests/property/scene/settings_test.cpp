@@ -73,10 +73,10 @@ TEST_F(SettingsTest, SentBackTheyChangeNothing) {
     }
     const auto settings = scene->settings();
     RC_ASSERT(settings.ok());
-    const json told = json::parse(encode(*settings));
-    RC_ASSERT(told.size() == std::size(setters) + 3);  // plus revision, checkpoints, edit_layers
+    const json document = json::parse(encode(*settings));
+    RC_ASSERT(document.size() == std::size(setters) + 3);  // plus revision, checkpoints, edit_layers
     for (const Setter& setter : setters) {
-      const json body = {{"op", setter.op}, {setter.name, told.at(setter.member)}};
+      const json body = {{"op", setter.op}, {setter.name, document.at(setter.member)}};
       const auto commands = decode_commands(body.dump());
       if (!commands.ok()) RC_FAIL(commands.status().message + " " + commands.status().pointer + " " + body.dump());
       const auto answer = scene->execute(*commands);

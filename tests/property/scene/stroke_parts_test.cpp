@@ -27,13 +27,13 @@ void send_whole_and_in_parts(Random random, Scene& sent_whole, Scene& live, Comb
   std::size_t at = 0;
   for (std::uint32_t part = 0; at < whole.stroke->samples.size(); ++part) {
     const std::size_t end = std::min(at + 1 + static_cast<std::size_t>(random.uniform(0, 6)), std::size_t{20});
-    Comb piece = whole;
-    piece.stroke->id = "pen";
-    piece.stroke->part = part;
-    piece.stroke->last = end == 20;
-    piece.stroke->samples.assign(whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(at),
-                                 whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(end));
-    RC_ASSERT(live.execute({piece}).ok());
+    Comb part_command = whole;
+    part_command.stroke->id = "pen";
+    part_command.stroke->part = part;
+    part_command.stroke->last = end == 20;
+    part_command.stroke->samples.assign(whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(at),
+                                        whole.stroke->samples.begin() + static_cast<std::ptrdiff_t>(end));
+    RC_ASSERT(live.execute({part_command}).ok());
     at = end;
   }
 }

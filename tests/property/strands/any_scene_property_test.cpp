@@ -23,9 +23,9 @@ glm::vec3 any_position() {
 FurLight any_light() {
   FurLight light;
   light.kind = one_of<LightKind>({LightKind::directional, LightKind::point, LightKind::spot, LightKind::area});
-  const glm::vec3 position = any_position(), way = glm::min(any_position(), 1e6f);
+  const glm::vec3 position = any_position(), direction = glm::min(any_position(), 1e6f);
   light.position = position;
-  light.direction = glm::length(way) > 0 ? glm::normalize(way) : glm::vec3(0, -1, 0);
+  light.direction = glm::length(direction) > 0 ? glm::normalize(direction) : glm::vec3(0, -1, 0);
   light.radiance = glm::vec3(1, 0.5f, 0) * one_of<float>({0, 1e-3f, 1, 1e8f});
   light.cone = one_of<float>({0, 0.5f, 1}), light.soft_cone = one_of<float>({0, 0.7f, 1});
   light.angle = one_of<float>({0, 0.05f, 1.5707964f}), light.radius = one_of<float>({0, 0.05f, 10});

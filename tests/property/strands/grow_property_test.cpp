@@ -1,4 +1,5 @@
-// On random pieces, fields and coats, strands are finite, rooted on their pieces, and the same in any order of pieces.
+// On random triangles, fields and coats, strands are finite, rooted on their triangles, and the same in any order of
+// them.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -18,7 +19,7 @@ namespace {
 int whole(int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high)); }
 double between(double low, double high) { return low + (high - low) * whole(0, 1'000'001) * 1e-6; }
 
-/// A fan of pieces around a vertex in the tile's plane, partly outside the first tile.
+/// A fan of triangles around a vertex in the tile's plane, partly outside the first tile.
 struct Fan {
   std::vector<glm::vec3> positions, normals, tangents;
   std::vector<glm::uvec3> triangles;
@@ -52,7 +53,7 @@ void add_vertex(Fan& fan, glm::dvec2 position) {
 
 Fan make_fan() {
   Fan fan;
-  const int spokes = whole(4, 12);  // enough spokes that no piece is flipped
+  const int spokes = whole(4, 12);  // enough spokes that no triangle is flipped
   const glm::dvec2 middle(between(-0.3, 0.3), between(-0.3, 0.3));
   add_vertex(fan, middle);
   for (int i = 0; i < spokes; ++i) {
@@ -86,7 +87,7 @@ Coat make_coat() {
 
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-RC_GTEST_PROP(GrowProperties, StrandsAreFiniteAndKeepToTheirPieces, ()) {
+RC_GTEST_PROP(GrowProperties, StrandsAreFiniteAndKeepToTheirTriangles, ()) {
   const Fan fan = make_fan();
   const GrowRecipe recipe{make_coat(), false, between(0.01, 1), between(1, 10)};
   const StrandSet set = Grower(fan.model(), fan.fields(), recipe).grow(fan.all());

@@ -177,7 +177,7 @@ RC_GTEST_PROP(Patches, SameMeshSameBits, ()) {
   RC_ASSERT(same_bits(map, lay_patches(*mesh)));
 }
 
-RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
+RC_GTEST_PROP(Patches, HardBordersKeepOnePatchTriangleOfEachTriangle, ()) {
   const Result<Mesh> mesh = prepare(sheet(whole(2, 24), between(0, 0.2)));
   RC_PRE(mesh.ok());
   const PatchMap hard = with_hard_borders(lay_patches(*mesh));
@@ -187,7 +187,7 @@ RC_GTEST_PROP(Patches, HardBordersKeepOnePieceOfEachTriangle, ()) {
 }
 
 /// Bumps about as large as their triangles cannot be mapped without stretch, but rarely flip.
-RC_GTEST_PROP(Patches, FewPiecesAreFlipped, ()) {
+RC_GTEST_PROP(Patches, FewPatchTrianglesAreFlipped, ()) {
   const Result<Mesh> mesh = prepare(sheet(whole(8, 24), between(0, 0.05)));
   RC_PRE(mesh.ok());
   const PatchMap map = lay_patches(*mesh);

@@ -1,10 +1,10 @@
-// What axe-core finds wrong with a page, in words.
+// The violations that axe-core finds on a page, as text.
 import {readFileSync} from "node:fs";
 import {createRequire} from "node:module";
 
 const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
-/** What is wrong in the dark and in the light; the rules that no colours matter to are tried in the dark. */
+/** Returns the violations in the dark and in the light theme; rules that do not depend on colours run in the dark one. */
 export async function violations(page) {
   if (!await page.evaluate(() => "axe" in window)) await page.evaluate(axe);
   const all = [];

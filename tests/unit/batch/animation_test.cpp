@@ -162,7 +162,7 @@ TEST(Keyframes, KeepToTheLimitsOfTheContract) {
   EXPECT_EQ(unknown.status().nearest, "exposure");
 }
 
-TEST(Jobs, AreRefusedWithThePlaceInTheirFile) {
+TEST(Jobs, AreRefusedWithThePositionInTheirFile) {
   const auto pointer = [](const std::string& text) {
     const auto job = decode_job(text);
     return job ? "none" : job.status().pointer;

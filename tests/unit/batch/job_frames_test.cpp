@@ -109,9 +109,9 @@ TEST_F(JobFrames, ThatAreBlurredTurnAsFastAsTheirClip) {
   RenderJob job = job_of(R"(, "turntable": {"turns": "camera"}, "motion_blur": {"shutter": 1, "samples": 2})");
   job.frames = "1-9x2";  // five frames: one frame's time is half of the time between two of them
   const auto frames = plan(job);
-  const Camera own = frames[1].moment.request.camera, open = frames[1].shutter_moments[1].request.camera;
+  const Camera own = frames[1].moment.request.camera, opening = frames[1].shutter_moments[1].request.camera;
   const Camera turned = turned_camera(own, 1, scene_->scene()->model()->surface.mesh(), 72.0 / 2 / 4);
-  EXPECT_LT(glm::length(open.position - turned.position), 1e-9);
+  EXPECT_LT(glm::length(opening.position - turned.position), 1e-9);
 }
 
 TEST_F(JobFrames, ThatAreBlurredShareTheirTracingOut) {

@@ -8,7 +8,7 @@ namespace pelage {
 namespace {
 
 struct Texel {
-  glm::dvec2 way;  // vector to the clump's middle, in tiles
+  glm::dvec2 to_middle;  // vector to the clump's middle, in tiles
   double inside;
 };
 
@@ -28,7 +28,7 @@ TEST(ClumpMap, LeadsToTheMiddlesOfTheCoatsClumps) {
       const glm::ivec2 at(i * 37 % ClumpMap::side, i * 101 % ClumpMap::side);
       const glm::dvec2 position = (glm::dvec2(at) + 0.5) / double(ClumpMap::side);
       const glm::dvec2 middle = clumps.nearest(position * coat.tile).centre / coat.tile;
-      EXPECT_LT(glm::distance(position + texel_at(map, at.x, at.y).way, middle), 0.01 * map.reach);
+      EXPECT_LT(glm::distance(position + texel_at(map, at.x, at.y).to_middle, middle), 0.01 * map.reach);
     }
   }
 }
@@ -41,9 +41,9 @@ TEST(ClumpMap, InsideIsOneInTheMiddleAndZeroOnTheBorder) {
       const Texel here = texel_at(map, x, y), next = texel_at(map, (x + 1) % ClumpMap::side, y);
       max = std::max(max, here.inside), min = std::min(min, here.inside);
       const double step = 1.0 / ClumpMap::side;
-      const bool other_clump = std::abs(next.way.x + step - here.way.x) > 2 * step;
+      const bool other_clump = std::abs(next.to_middle.x + step - here.to_middle.x) > 2 * step;
       if (other_clump) {
-        EXPECT_LT(here.inside * glm::length(here.way), 1.5 * step + 0.01 * map.reach) << x << " " << y;
+        EXPECT_LT(here.inside * glm::length(here.to_middle), 1.5 * step + 0.01 * map.reach) << x << " " << y;
       }
     }
   }

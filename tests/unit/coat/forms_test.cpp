@@ -49,15 +49,15 @@ TEST(Forms, StraightStrandsAreStraight) {
 }
 
 /// Length of a strand that rises by nominal_length, over nominal_length.
-double way_along(const Coat& coat, const Strand& strand) {
+double arc_length(const Coat& coat, const Strand& strand) {
   constexpr int steps = 2000;
-  double way = 0;
+  double length = 0;
   for (int i = 1; i <= steps; ++i) {
     const glm::dvec2 here = strand_offset(coat, strand, static_cast<double>(i) / steps),
                      before = strand_offset(coat, strand, static_cast<double>(i - 1) / steps);
-    way += std::hypot(glm::distance(here, before) / nominal_length, 1.0 / steps);
+    length += std::hypot(glm::distance(here, before) / nominal_length, 1.0 / steps);
   }
-  return way;
+  return length;
 }
 
 TEST(Forms, WindingIsTheLengthAlongAStrand) {
@@ -65,7 +65,7 @@ TEST(Forms, WindingIsTheLengthAlongAStrand) {
   for (const auto& [curl, wave, turns] : {std::array{0.02, 0.0, 3.0}, {0.12, 0.0, 8.0}, {0.0, 0.1, 4.0}}) {
     Coat coat = plain();
     coat.count = 100, coat.curl = curl, coat.wave = wave, coat.curl_turns = coat.wave_turns = turns;
-    const double mean = mean_of(coat, [&](const Strand& strand) { return way_along(coat, strand); });
+    const double mean = mean_of(coat, [&](const Strand& strand) { return arc_length(coat, strand); });
     EXPECT_NEAR(winding(coat) / mean, 1, 0.15) << curl << ' ' << wave;  // curl and wave fade in over the lowest quarter
   }
 }
@@ -75,15 +75,15 @@ TEST(Forms, WavesLieInOnePlaneWithTheirAmplitude) {
   coat.wave = 0.1, coat.wave_turns = 4;
   double sum = 0;
   for (const Strand& strand : make_strands(coat)) {
-    const glm::dvec2 way = glm::normalize(strand.wave);
+    const glm::dvec2 direction = glm::normalize(strand.wave);
     double largest = 0;
     int crossings = 0;
     for (int i = 101; i <= 400; ++i) {  // above the first quarter, where the curl has its full amplitude
       const glm::dvec2 here = strand_offset(coat, strand, i / 400.0),
                        before = strand_offset(coat, strand, (i - 1) / 400.0);
-      EXPECT_LT(std::abs(here.x * way.y - here.y * way.x), 1e-12);
+      EXPECT_LT(std::abs(here.x * direction.y - here.y * direction.x), 1e-12);
       largest = std::max(largest, glm::length(here));
-      crossings += glm::dot(here, way) * glm::dot(before, way) < 0;
+      crossings += glm::dot(here, direction) * glm::dot(before, direction) < 0;
     }
     EXPECT_NEAR(crossings, 6, 1) << "three waves";
     sum += largest;
@@ -119,7 +119,7 @@ TEST(Forms, MessyStrandsLeanInDirectionsOfTheirOwn) {
   glm::dvec2 sum(0);
   double length = 0;
   for (const Strand& strand : make_strands(coat)) sum += tip(coat, strand), length += glm::length(tip(coat, strand));
-  EXPECT_LT(glm::length(sum), 0.05 * length) << "no way is preferred";
+  EXPECT_LT(glm::length(sum), 0.05 * length) << "no direction is preferred";
   EXPECT_GT(length / coat.count, 0.25 * nominal_length);
   EXPECT_LT(mean_of(coat, [](const Strand& s) { return s.length_share; }), 0.95)
       << "a strand that leans reaches less high";
@@ -164,7 +164,7 @@ TEST(Forms, LodgedPatchesLieAndTheRestStands) {
   }
   EXPECT_GT(lying, strands.size() / 8);
   EXPECT_GT(standing, strands.size() / 5);
-  EXPECT_GT(alike, lying) << "neighbours lie the same way";
+  EXPECT_GT(alike, lying) << "neighbours lie in the same direction";
 }
 
 TEST(Forms, UndercoatAndOvercoatAreTwoLengths) {
@@ -190,10 +190,10 @@ TEST(Forms, UndercoatAndOvercoatAreTwoLengths) {
 TEST(Forms, TickingHasItsShareAndColour) {
   Coat coat = plain();
   coat.ticking = {.share = 0.1, .colour = {0.9f, 0.8f, 0.7f}};
-  const double odd = mean_of(coat, [&](const Strand& strand) {
+  const double ticked = mean_of(coat, [&](const Strand& strand) {
     return strand_colour(coat, strand, 0) == glm::vec3(0.9f, 0.8f, 0.7f) && strand_colour(coat, strand, 1).r == 0.9f;
   });
-  EXPECT_NEAR(odd, 0.1, 0.015);
+  EXPECT_NEAR(ticked, 0.1, 0.015);
 }
 
 TEST(Forms, WaterGathersDarkensAndShines) {
@@ -228,15 +228,15 @@ TEST(Forms, WarmthTurnsHuesAndKeepsTheLightOfGrey) {
   Coat coat;
   coat.colour_spread = 0, coat.warmth_spread = 1;
   const std::vector<Strand> before = make_strands(Coat()), strands = make_strands(coat);
-  double least = 1, most = 1;
+  double min_ratio = 1, max_ratio = 1;
   for (std::size_t i = 0; i < strands.size(); ++i) {
     const glm::vec3 tint = strand_tint(strands[i]);
     EXPECT_NEAR(luminance(tint), 1, 1e-5);
-    least = std::min(least, double{tint.r / tint.b}), most = std::max(most, double{tint.r / tint.b});
+    min_ratio = std::min(min_ratio, double{tint.r / tint.b}), max_ratio = std::max(max_ratio, double{tint.r / tint.b});
     EXPECT_EQ(strands[i].number, before[i].number);
   }
-  EXPECT_NEAR(least, 0.5, 1e-3);
-  EXPECT_NEAR(most, 2, 4e-3);
+  EXPECT_NEAR(min_ratio, 0.5, 1e-3);
+  EXPECT_NEAR(max_ratio, 2, 4e-3);
   EXPECT_EQ(strand_tint(before[0]), glm::vec3(static_cast<float>(before[0].lightness)));
 }
 

@@ -114,13 +114,13 @@ TEST(Ramp, GoesThroughItsStops) {
 TEST(StrandCover, RaysHitStrandsByTheirWidthAndPath) {
   const Coat coat = plain_coat();
   const std::vector<Strand> strands = make_strands(coat);
-  const std::array<double, slice_count> open = ray_transmittance(coat, strands, 1);
+  const std::array<double, slice_count> transmittance = ray_transmittance(coat, strands, 1);
   const double of_slice = coat.count * coat.width_root * nominal_length / slice_count / (coat.tile * coat.tile);
   const double discs = coat.count * std::numbers::pi * std::pow(coat.width_root / 2 / coat.tile, 2);
   for (const int slice : {31, 30, 28}) {
-    const double met = of_slice * (slice_count - slice) + discs;
-    EXPECT_GT(open[static_cast<std::size_t>(slice)], 1 - met - 0.01) << slice;
-    EXPECT_LT(open[static_cast<std::size_t>(slice)], std::exp(-met) + 0.01) << slice;
+    const double hits = of_slice * (slice_count - slice) + discs;
+    EXPECT_GT(transmittance[static_cast<std::size_t>(slice)], 1 - hits - 0.01) << slice;
+    EXPECT_LT(transmittance[static_cast<std::size_t>(slice)], std::exp(-hits) + 0.01) << slice;
   }
   for (const std::vector<double>& cells : crossings_of(coat, strands))
     EXPECT_NEAR(std::accumulate(cells.begin(), cells.end(), 0.0) / static_cast<double>(cells.size()), of_slice,
@@ -133,17 +133,17 @@ TEST(StrandCover, RaysHitEvenTheThinnestStrands) {
   Coat coat = plain_coat();
   coat.count = 600, coat.width_root = coat.width_tip = 0.00008;
   const double tangent = 3.7320508,
-               met = coat.count * coat.width_root * nominal_length * tangent / (coat.tile * coat.tile);
-  const double open = ray_transmittance(coat, make_strands(coat), tangent)[0];
-  EXPECT_GT(open, 1 - met - 0.01);
-  EXPECT_LT(open, std::exp(-met) + 0.02);
+               hits = coat.count * coat.width_root * nominal_length * tangent / (coat.tile * coat.tile);
+  const double transmittance = ray_transmittance(coat, make_strands(coat), tangent)[0];
+  EXPECT_GT(transmittance, 1 - hits - 0.01);
+  EXPECT_LT(transmittance, std::exp(-hits) + 0.02);
 }
 
 /// Straight down a ray only hits the discs of the roots, however long the strands are.
 TEST(StrandCover, AlongUprightStrandsOnlyTheirEndsCount) {
   const Coat coat = plain_coat();
   const double discs = coat.count * std::numbers::pi * std::pow(coat.width_root / 2 / coat.tile, 2);
-  for (const double open : ray_transmittance(coat, make_strands(coat), 0)) EXPECT_NEAR(open, std::exp(-discs), 0.01);
+  for (const double share : ray_transmittance(coat, make_strands(coat), 0)) EXPECT_NEAR(share, std::exp(-discs), 0.01);
 }
 
 TEST(Slices, EveryLevelHasTheTransmittanceOfTheStrands) {
@@ -156,9 +156,9 @@ TEST(Slices, EveryLevelHasTheTransmittanceOfTheStrands) {
       EXPECT_NEAR(transmittance(coat, level, 0), ray_transmittance(coat, strands, 0)[0], 0.03) << "level " << i;
       for (const double angle : {30.0, 60.0, 75.0}) {
         if (angle > 70 && i == 0) continue;  // four steps per slice miss thin tips there
-        const auto open = ray_transmittance(coat, strands, std::tan(angle * std::numbers::pi / 180));
+        const auto expected = ray_transmittance(coat, strands, std::tan(angle * std::numbers::pi / 180));
         for (const std::size_t slice : {28, 24, 20, 12})
-          EXPECT_NEAR(transmittance(coat, level, angle, static_cast<int>(slice)), open[slice], 0.07)
+          EXPECT_NEAR(transmittance(coat, level, angle, static_cast<int>(slice)), expected[slice], 0.07)
               << "level " << i << ", " << angle << " degrees, slice " << slice;
       }
     }
@@ -171,9 +171,9 @@ TEST(Slices, EverySliceOccludesItsShare) {
   wide.tile = 0.0625, wide.count = 2000, wide.width_root = 0.0012, wide.width_tip = 0.0008, wide.fine_clump = 0.3;
   for (const Coat& coat : {wide, Coat()}) {
     const Slices slices = bake_slices(coat);
-    const auto open = ray_transmittance(coat, make_strands(coat), std::tan(std::numbers::pi / 3));
+    const auto expected = ray_transmittance(coat, make_strands(coat), std::tan(std::numbers::pi / 3));
     for (int slice = slice_count - 1; slice >= 20; --slice) {
-      const double above = open[static_cast<std::size_t>(slice)];
+      const double above = expected[static_cast<std::size_t>(slice)];
       EXPECT_NEAR(transmittance(coat, slices.levels[0], 60, slice), above, 0.1 * std::min(above, 1 - above) + 0.01)
           << slice;
     }
@@ -189,12 +189,12 @@ TEST(Slices, RaysReachAsDeepAsBetweenStrands) {
     const Slices slices = bake_slices(coat);
     const std::vector<Strand> strands = make_strands(coat);
     for (const double angle : {30.0, 75.0}) {
-      const auto open = ray_transmittance(coat, strands, std::tan(angle * std::numbers::pi / 180));
+      const auto expected = ray_transmittance(coat, strands, std::tan(angle * std::numbers::pi / 180));
       for (const std::size_t i : {3, 5}) {
         double reached = 0;
         for (int slice = 0; slice < slice_count; ++slice)
           reached += transmittance(coat, slices.levels[i], angle, slice);
-        EXPECT_NEAR(reached / slice_count, std::accumulate(open.begin(), open.end(), 0.0) / slice_count, 0.01)
+        EXPECT_NEAR(reached / slice_count, std::accumulate(expected.begin(), expected.end(), 0.0) / slice_count, 0.01)
             << "level " << i << ", " << angle << " degrees";
       }
     }

@@ -5,8 +5,8 @@
 
 #include "renderer/coat/slices.h"
 #include "server/export/corner_mesh.h"
-#include "server/export/layer_texture.h"
 #include "server/export/mesh_fields.h"
+#include "server/export/shell_texture.h"
 #include "server/export/shells.h"
 #include "server/export/vertex_colours.h"
 #include "tests/support/furred_model.h"
@@ -23,12 +23,12 @@ ExportedStrands strands_of(const FurredModel& model, int every = 16) {
   return gather_strands(model.view(), request).value();
 }
 
-TEST(LayerTextures, AreAsOpaqueAsTheirStrands) {
+TEST(ShellTextures, AreAsOpaqueAsTheirStrands) {
   const Slices slices = bake_slices(Coat{});
   const SliceLevel& level = slices.levels[1];
-  for (const int layers : {4, 16}) {
-    for (int layer = 0; layer < layers; ++layer) {
-      const SliceBin bin = bin_of(layer, layers);
+  for (const int shell_count : {4, 16}) {
+    for (int shell = 0; shell < shell_count; ++shell) {
+      const SliceBin bin = bin_of(shell, shell_count);
       const std::size_t count = static_cast<std::size_t>(level.texels) * static_cast<std::size_t>(level.texels);
       double covered = 0;
       for (std::size_t i = 0; i < count; ++i) {
@@ -38,15 +38,15 @@ TEST(LayerTextures, AreAsOpaqueAsTheirStrands) {
                    level.depth_scale[0];
         covered += 1 - std::exp(-depth);
       }
-      const Image image = LayerTexture(level, bin).image();
+      const Image image = ShellTexture(level, bin).image();
       double opaque = 0;
       for (std::size_t i = 3; i < image.rgba.size(); i += 4) opaque += image.rgba[i] / 255.0;
-      EXPECT_NEAR(opaque / static_cast<double>(count), covered / static_cast<double>(count), 0.002) << layer;
+      EXPECT_NEAR(opaque / static_cast<double>(count), covered / static_cast<double>(count), 0.002) << shell;
     }
   }
 }
 
-TEST(BakedShells, HaveASkinAndTheLayersThatWereAsked) {
+TEST(BakedShells, HaveASkinAndTheShellsThatWereRequested) {
   const FurredModel model = furred_ball();
   ExportRequest request;
   request.shells = 5;

@@ -28,7 +28,7 @@ TEST(FileSize, ItIsThatOfAllPartsInTheirOrder) {
   ExportFile file;
   for (int i = 0; i < 1000; ++i) file.parts.push_back(text(std::to_string(i) + " "));
   std::string whole;
-  EXPECT_TRUE(file.write([&](std::string_view piece) { return whole += piece, true; }));
+  EXPECT_TRUE(file.write([&](std::string_view chunk) { return whole += chunk, true; }));
   EXPECT_EQ(whole.substr(0, 8), "0 1 2 3 ");
   EXPECT_EQ(size_of(file.parts, {}), whole.size());
   int asked = 0;

@@ -40,9 +40,9 @@ class Layered {
 
  private:
   void apply(const FieldDelta& delta) {
-    const FieldsHash said = fields.hash_after(delta), before = fields.hash();
+    const FieldsHash expected = fields.hash_after(delta), before = fields.hash();
     fields.apply(delta);
-    EXPECT_EQ(fields.hash(), said);
+    EXPECT_EQ(fields.hash(), expected);
     fields.apply(delta);
     EXPECT_EQ(fields.hash(), before) << "a change of sheets is its own inverse";
     fields.apply(delta);

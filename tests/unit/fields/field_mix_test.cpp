@@ -85,7 +85,7 @@ TEST(FieldMix, FinerFieldsAreWhatWasThereAndTheMeansBetween) {
   }
 }
 
-TEST(FieldMix, FieldsAtRestStayAtRest) {
+TEST(FieldMix, FieldsAtTheirDefaultsStayThere) {
   const Mesh mesh = built_in(Builtin::plane, 8);
   const auto finer = subdivide(mesh, lay_patches(mesh), {{0, 2}});
   const FieldSet result = subdivided(FieldSet(mesh.positions.size()), mesh, finer->mesh, finer->parents);

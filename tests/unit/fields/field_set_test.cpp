@@ -13,7 +13,7 @@ namespace {
 
 Groom groom(float x, float y, float length, float stretch = 0) { return {{x, y}, length, stretch}; }
 
-TEST(FieldSet, HashDependsOnEachBitAndPlaceButNotOnTheWay) {
+TEST(FieldSet, HashDependsOnEachBitAndVertexButNotOnTheOrderOfChanges) {
   FieldSet fields(100);
   const FieldsHash empty = fields.hash();
   fields.set(7, groom(0.5f, 0, 0.1f));
@@ -79,12 +79,12 @@ TEST(FieldSet, FieldsTakeNoMemoryBeforeTheyAreTouched) {
   EXPECT_EQ(fields.value(Field::tip_colour, 3), glm::vec4(0));
   EXPECT_EQ(fields.bytes(), before);
   EXPECT_TRUE(fields.at_default(Field::tip_colour));
-  const FieldsHash rest = fields.hash();
+  const FieldsHash default_hash = fields.hash();
   fields.set(Field::tip_colour, 3, {0.1f, 0.2f, 0.3f, 1});
   EXPECT_EQ(fields.bytes(), before + 1600);
-  EXPECT_NE(fields.hash(), rest);
+  EXPECT_NE(fields.hash(), default_hash);
   fields.set(Field::tip_colour, 3, glm::vec4(0));
-  EXPECT_EQ(fields.hash(), rest) << "what is at rest again adds nothing";
+  EXPECT_EQ(fields.hash(), default_hash) << "a field at its default again adds nothing";
 }
 
 TEST(FieldSet, WhatIsTakenBackTakesNoMemoryAgain) {

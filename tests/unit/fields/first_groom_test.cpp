@@ -19,7 +19,7 @@ namespace {
 
 /// Unit directions of the flow in space, and the lengths of its vectors.
 struct Flow {
-  std::vector<glm::dvec3> ways;
+  std::vector<glm::dvec3> directions;
   std::vector<double> lengths;
 };
 
@@ -28,9 +28,9 @@ Flow flow_of(const Mesh& mesh) {
   const std::vector<glm::dvec2> vectors = fur_flow(mesh);
   for (std::size_t v = 0; v < vectors.size(); ++v) {
     const glm::dvec3 normal(mesh.normals[v]), tangent(mesh.tangents[v]);
-    const glm::dvec3 way = vectors[v].x * tangent + vectors[v].y * glm::cross(normal, tangent);
-    flow.lengths.push_back(glm::length(way));
-    flow.ways.push_back(way / std::max(glm::length(way), 1e-12));
+    const glm::dvec3 vector = vectors[v].x * tangent + vectors[v].y * glm::cross(normal, tangent);
+    flow.lengths.push_back(glm::length(vector));
+    flow.directions.push_back(vector / std::max(glm::length(vector), 1e-12));
   }
   return flow;
 }
@@ -46,10 +46,10 @@ int index_of(const Mesh& mesh, const Flow& flow, const glm::uvec3& t) {
     const auto angle = [](glm::dvec3 u, glm::dvec3 v, glm::dvec3 axis) {
       return std::atan2(glm::dot(glm::cross(u, v), axis), glm::dot(u, v));
     };
-    turned += angle(transported(flow.ways[a], from, to), flow.ways[b], to);
-    if (k == 0) along_edges = flow.ways[a];
+    turned += angle(transported(flow.directions[a], from, to), flow.directions[b], to);
+    if (k == 0) along_edges = flow.directions[a];
     along_edges = transported(along_edges, from, to);
-    if (k == 2) turned += angle(flow.ways[t.x], along_edges, to);
+    if (k == 2) turned += angle(flow.directions[t.x], along_edges, to);
   }
   return static_cast<int>(std::lround(turned / 6.283185307179586));
 }
@@ -187,9 +187,9 @@ TEST(FurFlow, IsSymmetricOnASymmetricModel) {
     const glm::vec3 p = mesh.positions[v];
     const auto other = vertex_at.find(key({-p.x, p.y, p.z}));
     if (other == vertex_at.end()) continue;
-    const glm::dvec3 way = flow.ways[v] * flow.lengths[v];
-    const glm::dvec3 mirrored = flow.ways[other->second] * flow.lengths[other->second] * glm::dvec3(-1, 1, 1);
-    ++pairs, alike += glm::distance(way, mirrored) < 0.15 ? 1 : 0;
+    const glm::dvec3 vector = flow.directions[v] * flow.lengths[v];
+    const glm::dvec3 mirrored = flow.directions[other->second] * flow.lengths[other->second] * glm::dvec3(-1, 1, 1);
+    ++pairs, alike += glm::distance(vector, mirrored) < 0.15 ? 1 : 0;
   }
   EXPECT_GT(pairs, mesh.positions.size() * 9 / 10);
   EXPECT_GT(alike, pairs * 97 / 100);
@@ -197,7 +197,7 @@ TEST(FurFlow, IsSymmetricOnASymmetricModel) {
 
 TEST(FurFlow, GoesFromNoseToTailOnAPlane) {
   const Flow flow = flow_of(builtin(Builtin::plane, 200));
-  for (const glm::dvec3& way : flow.ways) EXPECT_LT(std::min(way.z, way.y), -0.3);
+  for (const glm::dvec3& direction : flow.directions) EXPECT_LT(std::min(direction.z, direction.y), -0.3);
 }
 
 TEST(FirstGroom, HasTheAskedInclinationAndLength) {

@@ -24,7 +24,7 @@ class ResolveTest : public ::testing::Test {
   Surface sphere_ = make_surface(Builtin::sphere, 2000);
 };
 
-TEST_F(ResolveTest, PixelsBecomePlacesAndMissesAreDropped) {
+TEST_F(ResolveTest, PixelsBecomePositionsAndMissesAreDropped) {
   Comb comb;
   comb.stroke = Stroke{};
   comb.stroke->view = View{.camera = {.automatic = AutoView::front}, .width = 200, .height = 100};
@@ -98,7 +98,7 @@ TEST_F(ResolveToFurTest, BrushesForSkinSeeSkin) {
   EXPECT_TRUE(std::holds_alternative<SurfaceSample>(done.stroke->samples[0].position));
 }
 
-TEST_F(ResolveToFurTest, PlacesInSpaceAndOtherShapesKeepToTheSkin) {
+TEST_F(ResolveToFurTest, PositionsInSpaceAndOtherShapesKeepToTheSkin) {
   comb_.stroke->view.reset();
   EXPECT_FALSE(resolved(stroke_through(sphere_, {{0, 0, 0.3}}).samples).brush.reach.has_value());
   comb_.stroke->view = View{.camera = {.automatic = AutoView::front}};

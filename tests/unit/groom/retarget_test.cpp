@@ -157,7 +157,7 @@ PlainNearest plain_nearest(const Mesh& mesh, glm::dvec3 position) {
 }
 
 // Checks against a brute-force search over all triangles, in model coordinates.
-TEST(Retarget, TakesWhatLiesAtTheNearestPlaceInModelCoordinates) {
+TEST(Retarget, TakesWhatLiesAtTheNearestPositionInModelCoordinates) {
   const Surface source = make_surface(Builtin::sphere, 500);
   const FieldSet taken = smooth_fields(source);
   for (const Alignment align : {Alignment::none, Alignment::box}) {
@@ -257,18 +257,18 @@ std::vector<Command> transferred_log(const std::vector<Command>& log, const Surf
   return transferred;
 }
 
-TEST(CarriedLog, AScaledCopyGetsTheSameGroomToTheBit) {
+TEST(TransferredLog, AScaledCopyGetsTheSameGroomToTheBit) {
   for (const Builtin shape : {Builtin::torus, Builtin::creature}) {
     const Surface from = make_surface(shape, 1500), to = moved(shape, 1500, glm::dvec3(8), glm::dvec3(0));
     const std::vector<Command> log = log_on(from);
     const FieldSet expected = groomed(log, from);
     EXPECT_NE(expected.hash(), groomed({}, from).hash());
     EXPECT_EQ(groomed(transferred_log(log, from, to), to).hash(), expected.hash());
-    EXPECT_NE(groomed(log, to).hash(), expected.hash()) << "without carrying it is another groom";
+    EXPECT_NE(groomed(log, to).hash(), expected.hash()) << "without the transfer it is another groom";
   }
 }
 
-TEST(CarriedLog, AMovedCopyOfAnySizeGetsTheSameGroom) {
+TEST(TransferredLog, AMovedCopyOfAnySizeGetsTheSameGroom) {
   // Avoids a model with points equally far from several vertices, where rounding would choose another vertex.
   const Surface from = make_surface(Builtin::creature, 1500);
   const Surface to = moved(Builtin::creature, 1500, glm::dvec3(3.7), {40, -7, 11});
@@ -281,7 +281,7 @@ TEST(CarriedLog, AMovedCopyOfAnySizeGetsTheSameGroom) {
   }
 }
 
-TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
+TEST(TransferredLog, PositionsLieOnTheSkinOfAnotherBuild) {
   const Surface from = make_surface(Builtin::sphere, 2000), to = make_surface(Builtin::torus, 2000);
   Comb comb;
   comb.stroke = stroke_through(from, {});
@@ -308,7 +308,7 @@ TEST(CarriedLog, PlacesLieOnTheSkinOfAnotherBuild) {
   }
 }
 
-TEST(CarriedLog, SettingsGoAlong) {
+TEST(TransferredLog, SettingsGoAlong) {
   const Surface from = make_surface(Builtin::sphere, 500);
   const Surface to = moved(Builtin::sphere, 500, glm::dvec3(4), glm::dvec3(0));
   const glm::dvec3 root = from.mesh().to_model(glm::dvec3(from.mesh().positions[3]));
@@ -338,7 +338,7 @@ TEST(CarriedLog, SettingsGoAlong) {
   EXPECT_DOUBLE_EQ(std::get<SetBlowers>(*winds).blowers[0].blow.fall, 8);
 }
 
-TEST(CarriedLog, WhatNamesVerticesOrRevisionsIsRefused) {
+TEST(TransferredLog, WhatNamesVerticesOrRevisionsIsRefused) {
   const Surface from = make_surface(Builtin::sphere, 100), to = make_surface(Builtin::torus, 100);
   EXPECT_EQ(transferred_command(ChangeMask{.shape = MaskVertices{{1}}}, from, to).status().pointer, "/vertices");
   EXPECT_EQ(transferred_command(Erase{.flood = true, .revision = 3}, from, to).status().pointer, "/revision");
@@ -346,7 +346,7 @@ TEST(CarriedLog, WhatNamesVerticesOrRevisionsIsRefused) {
   EXPECT_TRUE(transferred_command(Checkpoint{"a", {}}, from, to).ok());
 }
 
-TEST(CarriedLog, BoxesOfUnlikeShapeTurnDirections) {
+TEST(TransferredLog, BoxesOfUnlikeShapeTurnDirections) {
   const Surface from = make_surface(Builtin::sphere, 100);
   const Surface tall = moved(Builtin::sphere, 100, {1, 3, 1}, glm::dvec3(0));
   Comb comb;

@@ -38,13 +38,13 @@ class ForeignRows : public ::testing::Test {
     EXPECT_TRUE(rows.ok()) << rows.status().message;
     return rows ? *rows : "";
   }
-  /// Makes a journal from the rows, passed on in chunks of `piece` bytes.
-  Result<std::unique_ptr<Journal>> journal_of(const std::string& rows, std::size_t piece) const {
+  /// Makes a journal from the rows, passed on in chunks of `chunk_bytes` bytes.
+  Result<std::unique_ptr<Journal>> journal_of(const std::string& rows, std::size_t chunk_bytes) const {
     std::filesystem::remove(path("rows"));
     return Journal::from_rows(path("rows"), [&](const Journal::TakeRows& take) {
       Status taken;
-      for (std::size_t at = 0; at < rows.size() && taken.ok(); at += piece)
-        taken = take({rows.data() + at, std::min(piece, rows.size() - at)});
+      for (std::size_t at = 0; at < rows.size() && taken.ok(); at += chunk_bytes)
+        taken = take({rows.data() + at, std::min(chunk_bytes, rows.size() - at)});
       return taken;
     });
   }
@@ -63,9 +63,9 @@ class ForeignRows : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(ForeignRows, BecomeTheSameJournalInPiecesOfAnySize) {
-  for (const std::size_t piece : {1u, 7u, 65536u}) {
-    const auto journal = journal_of(rows(), piece);
+TEST_F(ForeignRows, BecomeTheSameJournalInChunksOfAnySize) {
+  for (const std::size_t chunk_bytes : {1u, 7u, 65536u}) {
+    const auto journal = journal_of(rows(), chunk_bytes);
     ASSERT_TRUE(journal.ok()) << journal.status().message;
     const auto scene = (*journal)->scene("a");
     ASSERT_TRUE(scene.ok()) << scene.status().message;

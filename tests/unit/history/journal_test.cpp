@@ -72,7 +72,7 @@ TEST_F(JournalTest, GivesWhatLeadsFromOneRevisionToAnother) {
   EXPECT_EQ(journal->change("b", 4, 6).status().code, Code::internal);
 }
 
-TEST_F(JournalTest, ANewModelEmptiesTheLogAndKeepsThePlace) {
+TEST_F(JournalTest, ANewModelEmptiesTheLogAndKeepsThePositionInTheList) {
   const auto journal = open();
   ASSERT_TRUE(journal->add_scene(scene("a")).ok());
   ASSERT_TRUE(journal->add_scene(scene("b")).ok());

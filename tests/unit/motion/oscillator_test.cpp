@@ -70,7 +70,7 @@ TEST(Oscillator, LongerAndLimperFurLeansFurtherAndSwaysSlower) {
   EXPECT_GT(spring_of(wind, 0.03, 0).oscillator.rate, 0);
 }
 
-TEST(Sway, FurDoesWhatTheOscillatorDoesInTheWindAtItsPlace) {
+TEST(Sway, FurDoesWhatTheOscillatorDoesInTheWindAtItsPosition) {
   Meadow meadow = make_meadow(2);
   meadow.direction.assign(4, {0, 0});
   meadow.stiffness = {1, 4, 1, 0.5f};

@@ -82,15 +82,16 @@ TEST(Sway, BodyThatComesIntoTheWarmUpDoesNotPop) {
   EXPECT_GT(largest_change(swayed(meadow.fur(), calm, 1, &knocked), meadow.direction), 0.02);
 }
 
-TEST(Sway, BentKeepsRestAndDiscAndIsSmooth) {
+TEST(Sway, OffsetDirectionKeepsTheUnmovedAndTheDiscAndIsSmooth) {
   for (const glm::dvec2 still : {glm::dvec2(0), glm::dvec2(0.5, 0.2), glm::dvec2(0.6, 0.8)}) {
     EXPECT_EQ(offset_direction(still, {0, 0}), still);
     for (double angle = 0; angle < 6.28; angle += 0.37) {
-      const glm::dvec2 way(std::cos(angle), std::sin(angle));
+      const glm::dvec2 direction(std::cos(angle), std::sin(angle));
       for (double far = 0; far < 4; far += 0.01) {
-        EXPECT_LE(glm::length(offset_direction(still, far * way)), 1 + 1e-12);
-        EXPECT_LT(glm::length(offset_direction(still, (far + 0.01) * way) - offset_direction(still, far * way)),
-                  0.0101);
+        EXPECT_LE(glm::length(offset_direction(still, far * direction)), 1 + 1e-12);
+        EXPECT_LT(
+            glm::length(offset_direction(still, (far + 0.01) * direction) - offset_direction(still, far * direction)),
+            0.0101);
       }
     }
   }

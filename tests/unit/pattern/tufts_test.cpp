@@ -66,10 +66,10 @@ TEST(Tufts, NothingGathersAtTheRoot) {
 
 TEST(Tufts, SeedsAndScalesChangeThem) {
   const glm::vec3 root(0.1f, 0.2f, 0.3f);
-  const auto way = [&](const Tufts& tufts) { return tuft_at(tufts, root, up).to_middle; };
-  EXPECT_EQ(way({.gather = 1}), way({.gather = 0.5}));
-  EXPECT_NE(way({.seed = 1}), way({.seed = 2}));
-  EXPECT_NE(way({.scales = 1}), way({.scales = 2}));
+  const auto to_middle = [&](const Tufts& tufts) { return tuft_at(tufts, root, up).to_middle; };
+  EXPECT_EQ(to_middle({.gather = 1}), to_middle({.gather = 0.5}));
+  EXPECT_NE(to_middle({.seed = 1}), to_middle({.seed = 2}));
+  EXPECT_NE(to_middle({.scales = 1}), to_middle({.scales = 2}));
 }
 
 }  // namespace

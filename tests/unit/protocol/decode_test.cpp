@@ -60,7 +60,7 @@ TEST(Decode, RefusesWhatIsNotJson) {
   expect_refusal("{\"op\": \"\xff\xfe\"}", Code::malformed, "");
 }
 
-TEST(Decode, RefusesDuplicateNamesWithTheirPlace) {
+TEST(Decode, RefusesDuplicateNamesWithTheirPosition) {
   expect_refusal(R"({"op": "comb", "op": "comb"})", Code::malformed, "/op");
   expect_refusal(R"({"commands": [{"op": "comb"}, {"brush": {"radius": 1, "radius": 2}}]})", Code::malformed,
                  "/commands/1/brush/radius");

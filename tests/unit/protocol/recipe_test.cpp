@@ -78,7 +78,7 @@ TEST(Recipe, TakesWhatTheUserSetsAsJsonOrElseAsText) {
   expect_refusal(files, "/variables/aa", "\"aa\"", {{"aa", "1"}});
 }
 
-TEST(Recipe, NamesPlacesByTheirShareOfTheBox) {
+TEST(Recipe, NamesPositionsByTheirShareOfTheBox) {
   const Files files = {{"main.json", R"({"variables": {"nose": [0.5, 1, 0]}, "steps": [
     {"op": "x", "a": {"at": [0, 0, 0]}, "b": {"at": "${nose}", "by": [0.25, -0.5, 1]}, "ramp": [{"at": 0.5}, {"at": 1, "colour": "#fff"}]}]})"}};
   EXPECT_EQ(texts(files),
@@ -202,7 +202,7 @@ Result<std::vector<RecipeStep>> expanded(const std::string& file, const std::str
   return expand_recipe(*request, {{{-1, -1, -1}, {1, 1, 1}}, no_picks});
 }
 
-TEST(Recipe, RefusesWhatNoCommandIsWithItsPlaceInTheRequest) {
+TEST(Recipe, RefusesWhatNoCommandIsWithItsPointerInTheRequest) {
   const auto steps = expanded(
       "main.json", R"({"steps": [{"comment": "none"}, {"op": "lift", "flood": true, "brush": {"raduis": 1}}]})");
   ASSERT_FALSE(steps.ok());

@@ -15,10 +15,10 @@ const ViewFeatures view{.pixels = 3e5, .area = 1e5, .fur_pixels = 12, .lights = 
 
 double number(int low, int high, double unit) { return unit * *rc::gen::inRange(low, high); }
 
-/// A model with random prices and errors, monotonic in nothing.
+/// A model with random coefficients and errors, monotonic in nothing.
 DialModel any_model() {
   DialModel model = default_model();
-  for (double& price : model.prices) price = number(0, 1000, 0.1);
+  for (double& coefficient : model.coefficients) coefficient = number(0, 1000, 0.1);
   model.cost_safety = number(100, 300, 0.01);
   for (DialRow& row : model.rows) {
     row.error = std::exp(number(-900, 100, 0.01)), row.growth = number(-100, 100, 0.01);
@@ -51,7 +51,7 @@ RC_GTEST_PROP(Planner, TheSameRequestHasTheSameKnobs, ()) {
   RC_ASSERT(plan({model, machine, view}, {budget, {}}).knobs == plan({model, machine, view}, {budget, {}}).knobs);
 }
 
-RC_GTEST_PROP(Planner, SafetyIsKeptWhereItCanBe, ()) {
+RC_GTEST_PROP(Planner, SafetyIsMetWherePossible, ()) {
   const DialModel model = any_model();
   const double budget = number(1, 5000, 1), error = number(1, 1000, 1e-3);
   const FrameEstimate in_time = plan({model, machine, view}, {budget, {}}).estimate,
@@ -78,10 +78,10 @@ TEST(Planner, ReportsWhyItChose) {
   EXPECT_EQ(end({600'000.0, {}}), PlanEnd::best);
   EXPECT_EQ(end({{}, 1.0}), PlanEnd::error);
   EXPECT_EQ(end({{}, 1e-6}), PlanEnd::best);
-  const FrameEstimate least = plan(basis, {{}, 1.0}).estimate;
-  EXPECT_EQ(end({least.cost_ms * 0.5, {}}), PlanEnd::cheapest);
-  EXPECT_EQ(end({least.cost_ms * 4, {}}), PlanEnd::budget);
-  EXPECT_EQ(least.calibration, "by hand");
+  const FrameEstimate cheapest = plan(basis, {{}, 1.0}).estimate;
+  EXPECT_EQ(end({cheapest.cost_ms * 0.5, {}}), PlanEnd::cheapest);
+  EXPECT_EQ(end({cheapest.cost_ms * 4, {}}), PlanEnd::budget);
+  EXPECT_EQ(cheapest.calibration, "by hand");
 }
 
 TEST(Planner, TheTierInteractiveHasAnEstimate) {

@@ -71,7 +71,7 @@ TEST(ViewFeatures, WhatIsTurnedAwayOrOutsideIsNotSeen) {
   EXPECT_EQ(view_features(past, patch.skin()).area, 0);
 }
 
-TEST(ViewFeatures, PiecesLieOverEachOther) {
+TEST(ViewFeatures, PatchTrianglesLieOverEachOther) {
   const Patch patch;
   FurredSkin skin = patch.skin();
   skin.patch_triangles = 1.5;

@@ -69,7 +69,7 @@ TEST(Cull, StrandsCountByWhatTheyCover) {
 }
 
 // Otherwise a stroke would change strands that it does not touch and that are not drawn again.
-TEST(Cull, LongerFurAtOnePlaceChangesNoOtherStrand) {
+TEST(Cull, LongerFurAtOnePositionChangesNoOtherStrand) {
   Field field;
   const KeptStrands before = field.kept(0.05);
   field.patch.length[0] *= 1.4f;

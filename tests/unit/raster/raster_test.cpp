@@ -257,9 +257,9 @@ TEST(Raster, CurvesAreDrawnWholeHoweverFewStrandsAre) {
 
 TEST(Raster, SkinHidesStrandsBehindIt) {
   Stage stage;
-  RasterCounts open, hidden;
-  stage.draw({1000, 1}, 2, &open);
-  EXPECT_GT(open.placed, open.strands / 3);
+  RasterCounts uncovered, covered;
+  stage.draw({1000, 1}, 2, &uncovered);
+  EXPECT_GT(uncovered.placed, uncovered.strands / 3);
   FurPatch& patch = stage.patch;  // a bald ceiling between the lawn and the camera
   const auto first = static_cast<unsigned>(patch.positions.size());
   for (const glm::vec2 corner : {glm::vec2(-2, -2), glm::vec2(2, -2), glm::vec2(2, 2), glm::vec2(-2, 2)}) {
@@ -270,9 +270,9 @@ TEST(Raster, SkinHidesStrandsBehindIt) {
   patch.add({first, first + 1, first + 2}), patch.add({first, first + 2, first + 3});
   patch.id = 2;
   stage.grow();
-  const FloatImage ceiling = stage.draw({1000, 1}, 2, &hidden);
-  EXPECT_EQ(hidden.strands, open.strands);
-  EXPECT_EQ(hidden.placed, 0u);
+  const FloatImage ceiling = stage.draw({1000, 1}, 2, &covered);
+  EXPECT_EQ(covered.strands, uncovered.strands);
+  EXPECT_EQ(covered.placed, 0u);
   EXPECT_EQ(mean(ceiling, 3), 1);
 }
 
@@ -284,12 +284,12 @@ TEST(Raster, AnEyeHidesWhatIsBehindItAndNothingElse) {
   eye.position = {0.2f, 0.35f, -0.12f};
   stage.frame.eyes = {eye};
   EXPECT_EQ(stage.draw({1000, 1}).rgba, none.rgba);  // under the skin
-  RasterCounts open, hidden;
+  RasterCounts without_eye, with_eye;
   stage.frame.eyes[0].position = {0.2f, -0.1f, 0.3f};  // between the lawn and the camera
-  stage.draw({1000, 1}, 2, &hidden);
+  stage.draw({1000, 1}, 2, &with_eye);
   stage.frame.eyes.clear();
-  stage.draw({1000, 1}, 2, &open);
-  EXPECT_LT(hidden.placed, open.placed);
+  stage.draw({1000, 1}, 2, &without_eye);
+  EXPECT_LT(with_eye.placed, without_eye.placed);
   stage.frame.eyes = {eye};
   stage.frame.eyes[0].position = {0.42f, 0.2f, 0.1f};  // partly in front of nothing
   const FloatImage seen = stage.draw({1000, 1}), again = stage.draw({1000, 1}, 7);

@@ -25,7 +25,7 @@ TEST(MovedCurves, StandStillWithoutWind) {
   EXPECT_EQ(curves, whiskers());
 }
 
-TEST(MovedCurves, KeepTheirRootsAndTheLengthOfEachPiece) {
+TEST(MovedCurves, KeepTheirRootsAndTheLengthOfEachSegment) {
   for (const double speed : {0.5, 20.0, 1e6}) {
     for (const double moment : {-1e6, 0.0, 0.37, 1e6}) {
       Wind wind = breeze;
@@ -37,8 +37,8 @@ TEST(MovedCurves, KeepTheirRootsAndTheLengthOfEachPiece) {
         const auto &before = rest.guides[c].points, &after = curves.guides[c].points;
         ASSERT_EQ(after.front(), before.front());
         for (std::size_t i = 1; i < before.size(); ++i) {
-          const double kept = glm::distance(before[i], before[i - 1]), now = glm::distance(after[i], after[i - 1]);
-          ASSERT_NEAR(now, kept, 1e-9) << speed << " " << moment;
+          const double length = glm::distance(before[i], before[i - 1]), now = glm::distance(after[i], after[i - 1]);
+          ASSERT_NEAR(now, length, 1e-9) << speed << " " << moment;
         }
         ASSERT_NE(after.back(), before.back());
       }

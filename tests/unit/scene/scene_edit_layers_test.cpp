@@ -79,10 +79,11 @@ TEST_F(SceneEditLayersTest, PartsOfALiveStrokeInALayerGiveWhatTheWholeGives) {
   const Comb comb = comb_in(*whole, 5, "a");
   execute(*whole, {comb});
   for (std::uint32_t part = 0; part < comb.stroke->samples.size(); ++part) {
-    Comb piece = comb;
-    piece.stroke->id = "s", piece.stroke->part = part, piece.stroke->last = part + 1 == comb.stroke->samples.size();
-    piece.stroke->samples = {comb.stroke->samples[part]};
-    execute(*live, {piece});
+    Comb part_command = comb;
+    part_command.stroke->id = "s", part_command.stroke->part = part,
+    part_command.stroke->last = part + 1 == comb.stroke->samples.size();
+    part_command.stroke->samples = {comb.stroke->samples[part]};
+    execute(*live, {part_command});
   }
   EXPECT_EQ(hash(*live), hash(*whole));
   EXPECT_EQ(live->summary().undo_steps, 2u);

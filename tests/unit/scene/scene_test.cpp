@@ -126,13 +126,13 @@ TEST_F(SceneTest, PartsOfAStrokeAreOneStepAndTheWholeStroke) {
   whole.stroke = stroke_at(*live, 5, 12);
   execute(*sent_whole, {whole});
   for (std::uint32_t part = 0; part < 4; ++part) {
-    Comb piece = whole;
+    Comb part_command = whole;
     const auto begin = whole.stroke->samples.begin() + 3 * part;
-    piece.stroke->samples.assign(begin, begin + 3);
-    piece.stroke->id = "k7";
-    piece.stroke->part = part;
-    piece.stroke->last = part == 3;
-    EXPECT_EQ(execute(*live, {piece}).revision, part + 1);
+    part_command.stroke->samples.assign(begin, begin + 3);
+    part_command.stroke->id = "k7";
+    part_command.stroke->part = part;
+    part_command.stroke->last = part == 3;
+    EXPECT_EQ(execute(*live, {part_command}).revision, part + 1);
   }
   EXPECT_EQ(hash(*live), hash(*sent_whole));
   EXPECT_EQ(live->summary().undo_steps, 1u);
@@ -204,14 +204,14 @@ TEST_F(SceneTest, PickFollowsARay) {
   EXPECT_TRUE(hit({0, 0, 0}, {0, 0, 1e6}).hit) << "from within";
 }
 
-TEST_F(SceneTest, PickFindsTheNearestPlace) {
+TEST_F(SceneTest, PickFindsTheNearestPosition) {
   const auto scene = make(Builtin::sphere, 2000);
   const PickAnswer found = *scene->pick({.nearest = glm::dvec3(0, 0, 40)});
   EXPECT_NEAR(found.normal.z, 1, 1e-2);
   EXPECT_NEAR(glm::distance(found.position, scene->pick({.nearest = found.position})->position), 0, 1e-6);
 }
 
-TEST_F(SceneTest, PickFindsTheFarthestPlaceInABox) {
+TEST_F(SceneTest, PickFindsTheFarthestPositionInABox) {
   const auto scene = make(Builtin::sphere, 20000);
   const PickAnswer top = *scene->pick({.farthest = PickFarthest{{0, 2, 0}}});
   EXPECT_NEAR(top.normal.y, 1, 1e-2);
@@ -234,7 +234,7 @@ TEST_F(SceneTest, PickTellsWhatIsPainted) {
   const auto value = [&](Field field) {
     return scene->pick({view, {150, 150}})->painted[static_cast<std::size_t>(field) - first_painted];
   };
-  EXPECT_NEAR(value(Field::density).x, 1, 1e-6) << "at rest";
+  EXPECT_NEAR(value(Field::density).x, 1, 1e-6) << "at its default";
   EXPECT_EQ(value(Field::root_colour), glm::dvec4(0));
   Paint thin{.flood = true, .field = Field::density, .value = 0.25};
   Paint red{.flood = true, .field = Field::root_colour, .value = 0.5, .colour = {0.8f, 0.1f, 0}};

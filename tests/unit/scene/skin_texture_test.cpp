@@ -157,16 +157,14 @@ TEST_F(SkinTextureTest, AMissingPictureIsReported) {
   EXPECT_EQ((*store_->find(store_->list()[0].id))->execute({SetGround{}}).status().code, Code::conflict);
 }
 
-std::size_t pieces_of(const Scene& scene) {
-  std::size_t patch_triangles = 0;
-  patch_triangles = scene.snapshot()->view().model.patches.patch_triangles.size();
-  return patch_triangles;
+std::size_t patch_triangles_of(const Scene& scene) {
+  return scene.snapshot()->view().model.patches.patch_triangles.size();
 }
 
 TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
   for (const FurPatches how : {FurPatches::overlapping, FurPatches::hard, FurPatches::own_uvs}) {
     const auto scene = make_textured(how);
-    const std::size_t triangles = scene->summary().report.triangles, patch_triangles = pieces_of(*scene);
+    const std::size_t triangles = scene->summary().report.triangles, patch_triangles = patch_triangles_of(*scene);
     if (how == FurPatches::overlapping)
       EXPECT_GT(patch_triangles, triangles);
     else
@@ -179,7 +177,7 @@ TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
       EXPECT_GT(patches, 1u);
     const std::string id = scene->id();
     open();
-    EXPECT_EQ(pieces_of(**store_->find(id)), patch_triangles) << "after a restart";
+    EXPECT_EQ(patch_triangles_of(**store_->find(id)), patch_triangles) << "after a restart";
     EXPECT_EQ((*store_->find(id))->summary().fur_patches, json_names::word_of(json_names::fur_patches, how));
   }
 }
@@ -187,7 +185,7 @@ TEST_F(SkinTextureTest, FurIsLaidAsTheModelWasAskedFor) {
 TEST_F(SkinTextureTest, ABuiltinIsLaidByPatchesOnly) {
   const auto hard = store_->create({"test", {Builtin::sphere, 500}, {}, FurPatches::hard});
   ASSERT_TRUE(hard.ok());
-  EXPECT_EQ(pieces_of(**hard), (*hard)->summary().report.triangles);
+  EXPECT_EQ(patch_triangles_of(**hard), (*hard)->summary().report.triangles);
   const auto own = store_->create({"test", {Builtin::sphere, 500}, {}, FurPatches::own_uvs});
   ASSERT_FALSE(own.ok());
   EXPECT_EQ(own.status().code, Code::invalid);

@@ -165,7 +165,7 @@ TEST_F(SubdivideSceneTest, SourcesHaveToBeThere) {
   EXPECT_EQ(scene->revision(), 0u);
 }
 
-TEST_F(SubdivideSceneTest, ALogIsCarriedToAnotherModel) {
+TEST_F(SubdivideSceneTest, ALogIsTransferredToAnotherModel) {
   const auto source = make(Builtin::torus, 1000), same = make(Builtin::torus, 1000), other = make(Builtin::knot, 1000);
   run(*source, {comb_at(*source, 5)});
   run(*source, {comb_at(*source, 50), ChangeMask{.shape = MaskSphere{vertex_position(*source, 3), 0.3, 0.2}}});

@@ -49,20 +49,20 @@ TEST_F(TurnSceneTest, FurEyesAndSkinTurnWithTheModel) {
   const std::vector<glm::dvec3> stood = leans(*scene);
   const SceneSummary after = turn(*scene);
   const SnapshotPtr now = scene->snapshot();
-  const glm::dmat3 way = axes_rotation(lying);
+  const glm::dmat3 rotation = axes_rotation(lying);
   EXPECT_EQ(after.revision, before->revision + 1);
   EXPECT_EQ(after.undo_steps, 0u);
   const Mesh &old = before->model->surface.mesh(), &mesh = now->model->surface.mesh();
   ASSERT_EQ(mesh.triangles, old.triangles);
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    ASSERT_LT(glm::length(way * glm::dvec3(old.positions[v]) - glm::dvec3(mesh.positions[v])), 1e-6);
-  EXPECT_LT(furthest(stood, leans(*scene), way), 1e-4);
+    ASSERT_LT(glm::length(rotation * glm::dvec3(old.positions[v]) - glm::dvec3(mesh.positions[v])), 1e-6);
+  EXPECT_LT(furthest(stood, leans(*scene), rotation), 1e-4);
   EXPECT_EQ(now->fields->length(), before->fields->length());
   const Eye &eye = now->settings->eyes.at(0), &stood_eye = before->settings->eyes.at(0);
-  EXPECT_LT(glm::length(way * stood_eye.position - eye.position), 1e-9);
-  EXPECT_LT(glm::length(way * stood_eye.gaze - eye.gaze), 1e-9);
+  EXPECT_LT(glm::length(rotation * stood_eye.position - eye.position), 1e-9);
+  EXPECT_LT(glm::length(rotation * stood_eye.gaze - eye.gaze), 1e-9);
   const SkinRegion &nose = now->settings->skin.at(0), &stood_nose = before->settings->skin.at(0);
-  EXPECT_LT(glm::length(way * stood_nose.centre - nose.centre), 1e-9);
+  EXPECT_LT(glm::length(rotation * stood_nose.centre - nose.centre), 1e-9);
 }
 
 TEST_F(TurnSceneTest, FourQuartersBringItBack) {

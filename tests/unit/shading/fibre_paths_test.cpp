@@ -34,9 +34,9 @@ Inclination inclination_of(glm::vec3 rounded) {
 }
 
 /// The double value for the same rounded directions.
-double truth_of(const FibreLobes& lobes, glm::vec3 light, glm::vec3 eye, float h, float sigma_a) {
-  const double azimuth = std::atan2(double(light.z), double(light.y)) - std::atan2(double(eye.z), double(eye.y));
-  return scatter_at_offset(lobes, inclination_of(light), inclination_of(eye), azimuth, double(h), double(sigma_a));
+double truth_of(const FibreLobes& lobes, glm::vec3 light, glm::vec3 view, float h, float sigma_a) {
+  const double azimuth = std::atan2(double(light.z), double(light.y)) - std::atan2(double(view.z), double(view.y));
+  return scatter_at_offset(lobes, inclination_of(light), inclination_of(view), azimuth, double(h), double(sigma_a));
 }
 
 TEST(FibrePaths, AgreesWithReferenceValues) {
@@ -54,16 +54,16 @@ TEST(FibrePaths, AgreesWithReferenceValues) {
   }
 }
 
-void compare_with_double(const FibreLobes& lobes, glm::vec3 eye, float h, int& compared) {
+void compare_with_double(const FibreLobes& lobes, glm::vec3 view, float h, int& compared) {
   const glm::vec3 sigma_a(0, 0.3f, 1e4f);
-  const FibrePaths paths(lobes, eye, h, sigma_a);
+  const FibrePaths paths(lobes, view, h, sigma_a);
   for (const double theta : {-90.0, -89.9, -35.0, 0.0, 10.001, 60.0, 90.0}) {
     for (const double phi : {-180.0, -100.0, 0.0, 0.01, 30.0, 170.0}) {
       const glm::vec3 light = direction_of(theta, phi), value = paths.value(light);
       for (int channel = 0; channel < 3; ++channel) {
-        const double truth = truth_of(lobes, light, eye, h, sigma_a[channel]);
+        const double truth = truth_of(lobes, light, view, h, sigma_a[channel]);
         ASSERT_NEAR(double(value[channel]), truth, 1e-3 * truth + 1e-5)
-            << "theta " << theta << " phi " << phi << " h " << h << " eye " << eye.x << " sigma " << sigma_a[channel]
+            << "theta " << theta << " phi " << phi << " h " << h << " view " << view.x << " sigma " << sigma_a[channel]
             << " s " << lobes.azimuthal_scale << " v " << lobes.variance[0] << " eta " << lobes.eta;
         ++compared;
       }

@@ -149,15 +149,15 @@ TEST(Fibre, DarkerWithMoreAbsorption) {
 
 /// All light that a white fibre scatters: the integral over the sphere of directions, by quadrature only.
 double furnace(const FibreLobes& lobes, const AzimuthalAverage& average, double theta_view) {
-  const Inclination eye = inclination(theta_view);
+  const Inclination view = inclination(theta_view);
   LobeValues around{};
   for (const QuadratureNode& node : gauss_legendre(160, 0, pi)) {
-    const LobeValues n = average_at(average, eye.cosine, node.x, 0);
+    const LobeValues n = average_at(average, view.cosine, node.x, 0);
     for (std::size_t p = 0; p < lobe_count; ++p) around[p] += 2 * node.weight * n[p];
   }
   double sum = 0;
   for (const QuadratureNode& node : gauss_legendre(500, -pi / 2, pi / 2)) {
-    const LobeValues m = longitudinal_lobes(lobes, {std::sin(node.x), std::cos(node.x)}, eye);
+    const LobeValues m = longitudinal_lobes(lobes, {std::sin(node.x), std::cos(node.x)}, view);
     for (std::size_t p = 0; p < lobe_count; ++p) sum += node.weight * std::cos(node.x) * m[p] * around[p];
   }
   return sum;
@@ -178,13 +178,13 @@ TEST(Fibre, WhiteFurnace) {
 
 TEST(Fibre, FurnaceAtOneOffset) {
   const FibreLobes lobes = energy_conserving_lobes(fibre_of(0.3, 0.3, 2));
-  const Inclination eye = inclination(20);
+  const Inclination view = inclination(20);
   double sum = 0;
   for (const QuadratureNode& along : gauss_legendre(200, -pi / 2, pi / 2)) {
     const Inclination light{std::sin(along.x), std::cos(along.x)};
     for (int i = 0; i < 400; ++i) {
       const double azimuth = -pi + 2 * pi * (i + 0.5) / 400;
-      sum += along.weight * light.cosine * 2 * pi / 400 * scatter_at_offset(lobes, light, eye, azimuth, 0.6, 0);
+      sum += along.weight * light.cosine * 2 * pi / 400 * scatter_at_offset(lobes, light, view, azimuth, 0.6, 0);
     }
   }
   EXPECT_NEAR(sum, 1, 1e-3);

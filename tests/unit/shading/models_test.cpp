@@ -60,10 +60,10 @@ TEST(Kajiya, IsEquationOne) {
   look.specular = 0.4;
   look.diffuse_exponent = 3;
   look.specular_exponent = 11;
-  const glm::dvec3 light = direction(30, 0), eye = direction(10, 0), colour(0.2, 0.5, 0.9);
-  const double th = glm::dot(along, glm::normalize(light + eye));
+  const glm::dvec3 light = direction(30, 0), view = direction(10, 0), colour(0.2, 0.5, 0.9);
+  const double th = glm::dot(along, glm::normalize(light + view));
   const glm::dvec3 expected = 0.7 * colour * std::pow(0.75, 1.5) + 0.4 * std::pow(1 - th * th, 5.5);
-  const glm::dvec3 value = FibreShading(look).scatter({along, above, light, eye}, colour, 0.5);
+  const glm::dvec3 value = FibreShading(look).scatter({along, above, light, view}, colour, 0.5);
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], expected[i], 1e-14);
 }
 
@@ -176,20 +176,20 @@ TEST(Marschner, LobesHaveThePublishedRatios) {
 /// Largest error beyond 60 degrees, over the peak, of M's Gaussian in a bilinear table of `side`^2 entries over both
 /// sines, as the survey packs it.
 double error_of_table(double width, double centre, int side) {
-  const auto value = [&](double light, double eye) {
-    const double off = (std::asin(light) + std::asin(eye)) / 2 - centre;
+  const auto value = [&](double light, double view) {
+    const double off = (std::asin(light) + std::asin(view)) / 2 - centre;
     return std::exp(-off * off / (2 * width * width));
   };
   const auto node = [&](int i) { return -1 + 2.0 * i / (side - 1); };
   double largest = 0;
   for (double view_angle = 60.1; view_angle < 90; view_angle += 0.05) {
     for (double light_angle = -89.9; light_angle < -50; light_angle += 0.05) {
-      const double eye = std::sin(view_angle * pi / 180), light = std::sin(light_angle * pi / 180);
-      const double x = (light + 1) / 2 * (side - 1), y = (eye + 1) / 2 * (side - 1);
+      const double view = std::sin(view_angle * pi / 180), light = std::sin(light_angle * pi / 180);
+      const double x = (light + 1) / 2 * (side - 1), y = (view + 1) / 2 * (side - 1);
       const int i = std::min(static_cast<int>(x), side - 2), j = std::min(static_cast<int>(y), side - 2);
       const double below = glm::mix(value(node(i), node(j)), value(node(i + 1), node(j)), x - i);
       const double over = glm::mix(value(node(i), node(j + 1)), value(node(i + 1), node(j + 1)), x - i);
-      largest = std::max(largest, std::abs(glm::mix(below, over, y - j) - value(light, eye)));
+      largest = std::max(largest, std::abs(glm::mix(below, over, y - j) - value(light, view)));
     }
   }
   return largest;
@@ -208,7 +208,7 @@ TEST(Marschner, ATableOfMWouldNotDo) {
 }
 
 /// Around the strand no energy is lost: R, TT and TRT of a clear fibre add up to 1 minus the longer paths.
-TEST(Marschner, AroundTheStrandEnergyIsKept) {
+TEST(Marschner, AroundTheStrandEnergyIsConserved) {
   const FibreOptics fibre;
   const AzimuthalAverage average(ShadingModel::marschner, fibre);
   for (const double cos_theta : {0.3, 0.8, 1.0}) {
@@ -260,11 +260,11 @@ TEST(FibreShading, OffsetFromTheHit) {
   look.fibre.cuticle_tilt = 0;
   look.fibre.azimuthal_roughness = 0.15;
   const FibreShading shading(look);
-  const glm::dvec3 eye = direction(0, 0), normal = direction(0, 35);
-  const double h = offset_across(along, normal, eye);
+  const glm::dvec3 to_camera = direction(0, 0), normal = direction(0, 35);
+  const double h = offset_across(along, normal, to_camera);
   double best = 0, best_angle = 0;
   for (double angle = -179; angle <= 179; angle += 1) {
-    const double value = shading.scatter_at_offset({along, above, direction(0, angle), eye}, glm::dvec3(0), h).r;
+    const double value = shading.scatter_at_offset({along, above, direction(0, angle), to_camera}, glm::dvec3(0), h).r;
     if (value > best) best = value, best_angle = angle;
   }
   EXPECT_NEAR(best_angle, 70, 1.01);

@@ -21,9 +21,9 @@ void expect_sane(const Tracer& tracer) {
     for (std::size_t i = 0; i < image.rgba.size(); ++i) {
       const float value = image.rgba[i];
       const bool light = aov == Aov::beauty || aov == Aov::direct || aov == Aov::albedo;
-      ASSERT_TRUE(std::isfinite(value)) << "layer " << int(aov);
-      ASSERT_TRUE(value >= 0 || !(light || i % 4 == 3)) << "layer " << int(aov) << ": " << value;
-      ASSERT_TRUE(value <= 1 || i % 4 != 3) << "layer " << int(aov) << ": " << value;
+      ASSERT_TRUE(std::isfinite(value)) << "AOV " << int(aov);
+      ASSERT_TRUE(value >= 0 || !(light || i % 4 == 3)) << "AOV " << int(aov) << ": " << value;
+      ASSERT_TRUE(value <= 1 || i % 4 != 3) << "AOV " << int(aov) << ": " << value;
     }
   }
 }
@@ -185,8 +185,8 @@ TEST_F(Extremes, DirectionalAndEnvironmentLightGivesSanePictures) {
 TEST_F(Extremes, CamerasAnywhereGiveSanePictures) {
   const StrandSet strands = ball_.grow({usual(Transport::paths).coat()});
   const glm::vec3 along = glm::normalize(tip(strands, 5).position - knot(strands, 5, 0).position);
-  const auto looking = [](FurFrame frame, glm::vec3 eye, glm::vec3 forward) {
-    frame.camera.position = eye, frame.camera.forward = glm::normalize(forward);
+  const auto looking = [](FurFrame frame, glm::vec3 position, glm::vec3 forward) {
+    frame.camera.position = position, frame.camera.forward = glm::normalize(forward);
     const glm::vec3 up = std::abs(frame.camera.forward.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     frame.camera.right = glm::normalize(glm::cross(frame.camera.forward, up));
     frame.camera.up = glm::cross(frame.camera.right, frame.camera.forward);

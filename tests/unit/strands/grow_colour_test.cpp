@@ -50,7 +50,7 @@ TEST(GrowColour, MeansLeaveTheCoatTheColourThatItHas) {
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(to_mean[k], own[k], 0.05 * own[k]) << "what all show stays";
 }
 
-TEST(GrowColour, MeanStrandsVaryAsTheirPlaceDoes) {
+TEST(GrowColour, MeanStrandsVaryWithTheirPosition) {
   Coat coat;
   coat.count = 3000, coat.ticking.share = 0.3, coat.ticking.colour = {0.9f, 0.8f, 0.7f};
   coat.ramp = {{0, {0.2f, 0.15f, 0.1f}}, {1, {0.2f, 0.15f, 0.1f}}};

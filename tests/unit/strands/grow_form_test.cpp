@@ -53,7 +53,7 @@ TEST(GrowForm, FollowsTheLeanCurve) {
 }
 
 /// Between corners, strands are interpolated as shells are: halfway between two corners the tip is halfway too.
-TEST(GrowForm, PlacesAreMixedAsShellsMixThem) {
+TEST(GrowForm, PositionsAreMixedAsShellsMixThem) {
   GrowRecipe recipe{plain_coat(3000)};
   FurPatch patch(0.12, 1);
   patch.length = {0.01f, 0.05f, 0.02f, 0.03f};
@@ -298,10 +298,10 @@ TEST(GrowForm, GuardHairsReachBeyondTheFur) {
   EXPECT_NEAR(static_cast<double>(none.count() - count_shared(some, none)), 200, 60);
   double tallest = 0;
   for (std::size_t i = 0; i < some.count(); ++i) {
-    const glm::dvec3 way = tip(some, i).position - knot(some, i, 0).position;
-    tallest = std::max(tallest, way.z / 0.04);
-    if (way.z > 0.0401) {
-      EXPECT_NEAR(glm::length(glm::dvec2(way)), 0.2 * nominal_length, 1e-6);
+    const glm::dvec3 to_tip = tip(some, i).position - knot(some, i, 0).position;
+    tallest = std::max(tallest, to_tip.z / 0.04);
+    if (to_tip.z > 0.0401) {
+      EXPECT_NEAR(glm::length(glm::dvec2(to_tip)), 0.2 * nominal_length, 1e-6);
     }
   }
   EXPECT_GT(tallest, 1.2);
@@ -347,7 +347,7 @@ std::vector<float> rasterised(const StrandSet& set, double s, double tile) {
   return shares;
 }
 
-TEST(GrowAndSlices, CoverTheSamePlaces) {
+TEST(GrowAndSlices, CoverTheSamePositions) {
   Coat coat;
   coat.tile = 0.0625;  // exact in float
   coat.count = 2000, coat.width_root = 0.0012, coat.width_tip = 0.0008, coat.fine_clump = 0.3;

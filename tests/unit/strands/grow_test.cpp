@@ -9,7 +9,6 @@
 #include <random>
 
 #include "renderer/coat/strand_tile.h"
-#include "renderer/strands/strand_part.h"
 #include "renderer/strands/tile_strands.h"
 #include "tests/unit/strands/fur_patch.h"
 
@@ -100,10 +99,10 @@ TEST(Grow, DensityKeepsLowNumbers) {
   const std::vector<float> half(patch.positions.size(), 0.5f);
   patch.paint.density = half;
   const StrandSet thin = patch.grow(recipe);
-  const std::vector<float> all = numbers(whole), kept = numbers(thin);
+  const std::vector<float> all = numbers(whole), remaining = numbers(thin);
   EXPECT_EQ(std::count_if(all.begin(), all.end(), [](float n) { return n < 0.5f; }),
-            static_cast<std::ptrdiff_t>(kept.size()));
-  EXPECT_LT(*std::max_element(kept.begin(), kept.end()), 0.5f);
+            static_cast<std::ptrdiff_t>(remaining.size()));
+  EXPECT_LT(*std::max_element(remaining.begin(), remaining.end()), 0.5f);
   EXPECT_EQ(count_shared(thin, whole), thin.count());
 }
 
@@ -134,10 +133,10 @@ TEST(Grow, WeightAndShortFurKeepTheirShare) {
 TEST(Grow, OtherCopiesOfTheTileKeepOtherStrands) {
   GrowRecipe recipe{plain_coat(1000)};
   recipe.share = 0.5;
-  const std::vector<float> kept = numbers(FurPatch(0.24, 1).grow(recipe));  // 2 x 2 tiles
+  const std::vector<float> remaining = numbers(FurPatch(0.24, 1).grow(recipe));  // 2 x 2 tiles
   std::vector<int> times(1000);
   for (const Strand& strand : make_strands(recipe.coat)) {
-    const auto n = std::count(kept.begin(), kept.end(), static_cast<float>(strand.number));
+    const auto n = std::count(remaining.begin(), remaining.end(), static_cast<float>(strand.number));
     if (n == 0 || n == 4) ++times[0];
   }
   EXPECT_NEAR(times[0], 1000 / 8, 60);  // random; 1000 if all copies kept the same strands
@@ -166,7 +165,7 @@ TEST(Grow, ChunksDoNotMatter) {
   }
 }
 
-TEST(GrowChunks, HoldEachPieceOnceAndLieTogether) {
+TEST(GrowChunks, HoldEachTriangleOnceAndLieTogether) {
   const FurPatch patch(0.6, 16);
   const Coat coat = plain_coat(9000);
   const std::vector<StrandChunk> chunks = make_chunks(patch.model(), coat, 8000);

@@ -123,13 +123,13 @@ TEST(GrownFur, GrowsAgainOnlyWhatChanged) {
   const std::size_t grown = fur.update(patch.model(), patch.fields(), recipe, 2);
   EXPECT_GT(grown, 0u);
   EXPECT_LT(grown, fur.count() / 2);
-  std::size_t kept = 0;
+  std::size_t unchanged = 0;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const bool same = fur.parts()[i].strands == before[i].strands;
     EXPECT_EQ(same, fur.parts()[i].state == before[i].state);
-    kept += same ? 1 : 0;
+    unchanged += same ? 1 : 0;
   }
-  EXPECT_GT(kept, before.size() / 2);
+  EXPECT_GT(unchanged, before.size() / 2);
 }
 
 /// A patch with all forms of fur that leans one way, and another way into which it has been moved.
@@ -171,7 +171,7 @@ TEST(GrownFur, WhatMovesItBendsItToWhereItWouldHaveGrown) {
     EXPECT_EQ(one.colours, all.colours);
     EXPECT_EQ(fur.parts()[i].longest, other.parts()[i].longest);
   }
-  EXPECT_LT(furthest, 2e-6f) << "of fur of .03 sizes: roots are kept to 1/65535 of a piece";
+  EXPECT_LT(furthest, 2e-6f) << "of fur of .03 sizes: roots are stored to 1/65535 of a triangle";
 }
 
 TEST(GrownFur, KnowsWhereItsPartsAreBentTo) {

@@ -56,21 +56,21 @@ TEST(MovingStrands, RaysHitThemWhereTheyAreAtTheirTime) {
   World world(plenty);
   ASSERT_TRUE(world.update(moving.patch.model(), moving.fields(), FurFrame{}, recipe, {1, false}, [] { return true; }));
   const StrandSet set = moving.grow(recipe);
-  int met = 0;
+  int hits = 0;
   for (std::size_t i = 0; i < set.count(); ++i) {
     const std::size_t at = i * static_cast<std::size_t>(set.segments + 1) + static_cast<std::size_t>(set.segments) / 2;
     for (const float time : {0.0f, 0.5f, 1.0f}) {
       const glm::vec3 position = glm::mix(set.points[at].position, set.closing[at].position, time);
       const Ray ray{.origin = position - glm::vec3(0, 0.005f, 0), .direction = {0, 1, 0}, .t_max = 0.01f, .time = time};
       const Hit hit = world.intersect(ray);
-      met += hit.kind == HitKind::strand && std::abs(hit.distance - 0.005f) < 5e-4f;
+      hits += hit.kind == HitKind::strand && std::abs(hit.distance - 0.005f) < 5e-4f;
       EXPECT_TRUE(world.occluded(ray));
       EXPECT_LT(world.transmittance(ray, 1).r, 0.9f);
       if (hit.strand.strand != i) continue;
       EXPECT_NEAR(hit.tangent.x, 0.25f * time, time > 0 ? 0.2f : 1e-3f);
     }
   }
-  EXPECT_GE(met, 2.8 * static_cast<double>(set.count()));
+  EXPECT_GE(hits, 2.8 * static_cast<double>(set.count()));
 }
 
 TEST(MovingStrands, AreGrownAnewWhenTheyMoveElsewhere) {

@@ -44,7 +44,7 @@ TEST(TileCells, CopiesOnSharedEdgesFallIntoOneTriangle) {
   }
 }
 
-TEST(TileCells, ShareLeadsBackToThePlace) {
+TEST(TileCells, ShareLeadsBackToThePosition) {
   const std::vector<Strand> strands = lattice();
   const std::array<glm::dvec2, 3> triangle{{{-2.2, 0.3}, {-0.7, -1.9}, {0.4, 0.8}}};
   std::vector<TileCopy> found;

@@ -10,7 +10,7 @@
 namespace pelage {
 namespace {
 
-// science.md 4: energy is conserved, so the ball cannot be told from the room.
+// science.md 4: energy is conserved, so the ball cannot be distinguished from the room.
 TEST(TraceFurnace, AWhiteFurBallInAWhiteRoomVanishes) {
   FurFrame frame = frame_at(40, coat_of(glm::vec3(1)), Transport::paths, 64);
   frame.knobs.trace.bounces = 4096;
@@ -138,9 +138,9 @@ TEST(Trace, GroundDarkensWhereTheBodyStands) {
   EXPECT_GT(shade, 20);
   frame.ground->shadow = frame.ground->contact = 0;
   double lit = 0;
-  const FloatImage open = traced(fur_ball(0.03f), frame).beauty;
-  for (std::size_t i = 0; i < open.rgba.size(); i += 4) {
-    if (open.rgba[i] == 0) lit += open.rgba[i + 3];
+  const FloatImage without_shadow = traced(fur_ball(0.03f), frame).beauty;
+  for (std::size_t i = 0; i < without_shadow.rgba.size(); i += 4) {
+    if (without_shadow.rgba[i] == 0) lit += without_shadow.rgba[i + 3];
   }
   EXPECT_LT(lit, 0.05 * shade);  // the rest are strands that no light has reached
 }

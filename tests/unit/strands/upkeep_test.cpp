@@ -93,7 +93,7 @@ void stroke(FurPatch& fur, std::mt19937& random) {
   }
 }
 
-std::vector<float> met_by_grid(const World& world) {
+std::vector<float> hits_of_grid(const World& world) {
   std::vector<float> numbers;
   for (int y = -40; y <= 40; ++y) {
     for (int x = -40; x <= 40; ++x) {
@@ -123,9 +123,9 @@ TEST(Upkeep, AfterManyStrokesTheWorldIsAsNewAndTakesAsMuch) {
   EXPECT_GT(partly, 80u);
   World fresh(plenty);
   ASSERT_TRUE(fresh.update(ball.model(), ball.fields(), {}, recipe, {1, false}, always));
-  EXPECT_EQ(met_by_grid(world), met_by_grid(fresh));
-  const auto kept = static_cast<double>(world.bytes()), needed = static_cast<double>(fresh.bytes());
-  EXPECT_NEAR(kept / needed, 1, 0.02);
+  EXPECT_EQ(hits_of_grid(world), hits_of_grid(fresh));
+  const auto taken = static_cast<double>(world.bytes()), needed = static_cast<double>(fresh.bytes());
+  EXPECT_NEAR(taken / needed, 1, 0.02);
 }
 
 TEST(Upkeep, ChangesOfAllStrandsTakeNoMoreMemory) {

@@ -26,9 +26,9 @@ double area_of(const Mesh& mesh, std::uint32_t triangle) {
 
 /// Measures of a map's quality.
 struct Quality {
-  double area_factor = 0;                 // area of pieces over area of the surface
-  double flipped = 0;                     // share of the pieces' area
-  double stretched = 0;                   // share of the pieces' area with a singular value outside [1/1.4, 1.4]
+  double area_factor = 0;  // area of patch triangles over area of the surface
+  double flipped = 0;      // share of the patch triangles' area
+  double stretched = 0;    // share of the patch triangles' area with a singular value outside [1/1.4, 1.4]
   double min_sum = 1e9, largest_sum = 0;  // smallest and largest sum of the weights at a corner
 };
 
@@ -177,7 +177,7 @@ TEST(Patches, CellsHangTogetherAndAreNotTooLarge) {
   }
 }
 
-TEST(Patches, HardPiecesKeepTheLargestShare) {
+TEST(Patches, HardBordersKeepTheLargestShare) {
   const Mesh mesh = builtin(Builtin::creature, 5000);
   const PatchMap map = lay_patches(mesh), hard = with_hard_borders(map);
   ASSERT_EQ(hard.patch_triangles.size(), mesh.triangles.size());

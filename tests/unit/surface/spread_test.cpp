@@ -52,8 +52,9 @@ std::vector<double> plain_distances(const Mesh& mesh, std::span<const SpreadSour
     for (const glm::uvec3& t : mesh.triangles) {
       for (int k = 0; k < 6; ++k) {
         const std::uint32_t a = t[k % 3], b = t[(k % 3 + 1 + k / 3) % 3];
-        const double way = distances[a] + glm::distance(glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]));
-        if (way < distances[b]) distances[b] = way, changed = true;
+        const double length =
+            distances[a] + glm::distance(glm::dvec3(mesh.positions[a]), glm::dvec3(mesh.positions[b]));
+        if (length < distances[b]) distances[b] = length, changed = true;
       }
     }
   }

@@ -136,7 +136,7 @@ TEST(Subdivide, RandomChoicesOpenNoCrack) {
   }
 }
 
-TEST(Subdivide, PlacesOnTheTileAreTheMeansOfTheirParents) {
+TEST(Subdivide, PositionsOnTheTileAreTheMeansOfTheirParents) {
   const Mesh mesh = built_in(Builtin::creature, 800);
   const PatchMap patches = lay_patches(mesh);
   const auto finer = subdivide(mesh, patches, all_of(mesh));

@@ -124,9 +124,9 @@ TEST(Surface, FindsVerticesAlongALine) {
       const glm::dvec3 from(x, 0.05, -0.6), to(x, 0.1 * x, end);
       std::vector<std::uint32_t> expected;
       for (std::uint32_t v = 0; v < positions.size(); ++v) {
-        const glm::dvec3 way = to - from, off = glm::dvec3(positions[v]) - from;
-        const double share = std::clamp(glm::dot(off, way) / glm::dot(way, way), 0.0, 1.0);
-        if (glm::length(off - share * way) <= 0.07) expected.push_back(v);
+        const glm::dvec3 line = to - from, off = glm::dvec3(positions[v]) - from;
+        const double share = std::clamp(glm::dot(off, line) / glm::dot(line, line), 0.0, 1.0);
+        if (glm::length(off - share * line) <= 0.07) expected.push_back(v);
       }
       ball.vertices_along(from, to, 0.07, found);
       EXPECT_EQ(found, expected) << x << " " << end;

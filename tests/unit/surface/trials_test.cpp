@@ -104,7 +104,7 @@ TEST_F(Trials, FurGrowsOutwardsWhereJointsMirror) {
   }
 }
 
-TEST_F(Trials, TextureCoordinatesThatAreNoPlacesAreSaid) {
+TEST_F(Trials, UnusableTextureCoordinatesAreReported) {
   EXPECT_GT(repair_of(load("uv_huge.obj"), "unusable_uvs").count, 2000u);
   const std::size_t some = repair_of(load("uv_nan.obj"), "unusable_uvs").count;
   EXPECT_GT(some, 0u);

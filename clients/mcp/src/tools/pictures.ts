@@ -16,8 +16,8 @@ const quality_rule = "Give at most one of quality, budget_ms and max_error.";
 export const pictureTools = (context: Context): Tool[] => [look(context), views(context), pick(context)];
 
 function withImage({bytes, type: mimeType}: Pick<Frame, "bytes" | "type">, {width, height}: Size, text: string, data: object): CallToolResult {
-  const said = `Picture: ${width} x ${height}, ${mimeType}, ${Math.ceil(bytes.length / 1000)} kB.`;
-  const {content, structuredContent} = result(`${text}\n${said}`, {...data, picture: {width, height, type: mimeType, bytes: bytes.length}});
+  const size_line = `Picture: ${width} x ${height}, ${mimeType}, ${Math.ceil(bytes.length / 1000)} kB.`;
+  const {content, structuredContent} = result(`${text}\n${size_line}`, {...data, picture: {width, height, type: mimeType, bytes: bytes.length}});
   return {content: [{type: "image", data: Buffer.from(bytes).toString("base64"), mimeType}, ...content], structuredContent};
 }
 
@@ -35,10 +35,10 @@ async function draw(service: Service, path: string, request: object, caller: Cal
 
 /** Draws a frame in the requested format; if it exceeds `max_bytes`, as JPEG of lower and lower quality. */
 async function drawSmall(service: Service, path: string, request: object, caller: Caller): Promise<Frame> {
-  const ways = [{}, {format: "jpeg", lossy_quality: 88}, {format: "jpeg", lossy_quality: 60}];
+  const formats = [{}, {format: "jpeg", lossy_quality: 88}, {format: "jpeg", lossy_quality: 60}];
   let frame: Frame | undefined;
-  for (const way of ways) {
-    frame = await draw(service, path, {...request, ...way}, caller);
+  for (const format of formats) {
+    frame = await draw(service, path, {...request, ...format}, caller);
     if (frame.bytes.length <= max_bytes) return frame;
   }
   throw new Refusal({status: 413, detail: `The picture has ${frame!.bytes.length} bytes.`, pointer: "/width", limit: `at most ${max_bytes} bytes: fewer pixels`});
@@ -142,7 +142,7 @@ function pick(context: Context): Tool {
   const {pixel} = (schemas.named("PickRequest")["oneOf"] as {properties: Record<string, Schema>}[])[0]!.properties;
   return {
     name: "pick", annotations: reads,
-    description: "Says what lies under a pixel of a view: position, normal and fur, and the place in each form that a stroke's samples take.",
+    description: "Says what lies under a pixel of a view: position, normal and fur, and the position in each form that a stroke's samples take.",
     inputSchema: schemas.input({scene: scene_member, view, pixel: pixel!}, ["scene", "pixel"]),
     run: async (input, caller) => {
       const request = without(input, "scene");

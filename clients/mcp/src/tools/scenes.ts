@@ -54,9 +54,9 @@ function loadModel({service, schemas}: Context): Tool {
       const scene = await service.put<Scene>(`${at}/model?${query}`, await bytesOf(file), caller);
       const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
       const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];
-      const kept = scene.carried ? [`The groom went over: ${scene.carried.far} of ${scene.carried.vertices} vertices lie far from the model before. Scene ${scene.carried.before} is as this one was.`] : [];
+      const transfer = scene.carried ? [`The groom was transferred: ${scene.carried.far} of ${scene.carried.vertices} vertices lie far from the previous model. Scene ${scene.carried.before} is a copy of this one before the load.`] : [];
       const next = "Next: `views`. If the model does not stand upright facing +z, load it again with up and front.";
-      return result([sceneInWords(scene), ...repaired, ...kept, next].join("\n"), scene);
+      return result([sceneInWords(scene), ...repaired, ...transfer, next].join("\n"), scene);
     },
   };
 }

@@ -25,7 +25,7 @@ from typing import Any, Dict, Iterator, List, NamedTuple, Optional
 from ..files import write_whole
 from .errors import BAD_INPUT, FarmError
 from .pack import fetch_scene, is_on_server
-from .plan import Piece, Plan, plan_from
+from .plan import FrameTile, Plan, plan_from
 from .ranges import Chunk, chunk_from
 
 JOB = "job.json"
@@ -79,9 +79,9 @@ class FarmFolder:
         lines = (self.path / "chunks.txt").read_text(encoding="utf-8").splitlines()
         return [chunk_from(line) for line in lines if line]
 
-    def planned_chunks(self) -> List[List[Piece]]:
+    def planned_chunks(self) -> List[List[FrameTile]]:
         frames = {frame.frame: frame for frame in self.plan().frames}
-        return [[Piece(frames[number], chunk.tile) for number in chunk.frames] for chunk in self.chunks()]
+        return [[FrameTile(frames[number], chunk.tile) for number in chunk.frames] for chunk in self.chunks()]
 
     def sent(self) -> Optional[Sent]:
         file = self.path / "sent.json"

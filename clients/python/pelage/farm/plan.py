@@ -38,7 +38,7 @@ class PlannedFrame(NamedTuple):
     tiles: Tuple[PlannedTile, ...] = ()
 
 
-class Piece(NamedTuple):
+class FrameTile(NamedTuple):
     """The part of a frame that a chunk draws. tile: From 1; 0 for the whole frame."""
 
     frame: PlannedFrame
@@ -46,11 +46,11 @@ class Piece(NamedTuple):
 
     @property
     def files(self) -> List[str]:
-        """The files any of which shows that the piece is done."""
+        """The files any of which shows that the part is done."""
         return [self.frame.file] + ([self.frame.tiles[self.tile - 1].file] if self.tile else [])
 
 
-def done_pieces(frames: Sequence[PlannedFrame], running: bool) -> Set[Tuple[int, int]]:
+def done_parts(frames: Sequence[PlannedFrame], running: bool) -> Set[Tuple[int, int]]:
     """Returns pairs of frame and tile (0: whole frame) whose files are complete and of this job.
 
     running: True if a task may still combine tiles. If False, and all tiles of a frame exist but not the frame, the task
@@ -89,7 +89,7 @@ class Plan(NamedTuple):
 
     @property
     def unit(self) -> str:
-        """What progress counts."""
+        """The unit in which progress is counted."""
         return "tiles" if self.tile_count else "frames"
 
     def to_json(self) -> Dict[str, Any]:

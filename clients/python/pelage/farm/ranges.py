@@ -74,20 +74,21 @@ def tiled_chunks_of(
     """Like chunks_of, for frames in tiles: each chunk of frames becomes one chunk per tile. tile_count: 0 for whole
     frames; at most MAX_CHUNKS."""
     tiles = list(range(1, tile_count + 1)) or [0]
-    at_least = math.ceil(at_once / len(tiles))
-    parts = chunks_of(frames, frame_seconds / len(tiles), chunk_seconds, at_least, MAX_CHUNKS // len(tiles))
+    min_chunks = math.ceil(at_once / len(tiles))
+    parts = chunks_of(frames, frame_seconds / len(tiles), chunk_seconds, min_chunks, MAX_CHUNKS // len(tiles))
     return [Chunk(part, tile) for part in parts for tile in tiles]
 
 
 def chunks_of(
-    frames: Sequence[int], frame_seconds: float, chunk_seconds: float, at_once: int = 1, most: int = MAX_CHUNKS
+    frames: Sequence[int], frame_seconds: float, chunk_seconds: float, at_once: int = 1, max_chunks: int = MAX_CHUNKS
 ) -> List[List[int]]:
     """Divides frames into contiguous chunks whose sizes differ by at most one.
 
-    A chunk takes about chunk_seconds. There are at least `at_once` chunks, so that no node is idle, and at most `most`.
+    A chunk takes about chunk_seconds. There are at least `at_once` chunks, so that no node is idle, and at most
+    `max_chunks`.
     """
     in_one = max(1, int(chunk_seconds / max(frame_seconds, 1e-6)))
     count = max(math.ceil(len(frames) / in_one), at_once)
-    count = max(1, min(count, len(frames), most))
+    count = max(1, min(count, len(frames), max_chunks))
     bounds = [len(frames) * index // count for index in range(count + 1)]
     return [list(frames[first:last]) for first, last in zip(bounds, bounds[1:])]

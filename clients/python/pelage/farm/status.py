@@ -9,7 +9,7 @@ from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Set, Tuple
 
 from . import slurm
 from .folder import FarmFolder, Sent
-from .plan import Piece, done_pieces
+from .plan import FrameTile, done_parts
 from .ranges import range_of
 
 BAR_CELLS = 20
@@ -70,10 +70,10 @@ def status_of(folder: FarmFolder, tasks: Optional[Tasks] = None) -> Status:
         tasks = tasks_of(folder, sent) if sent else NO_TASKS
     planned = folder.planned_chunks()
     plan = folder.plan()
-    done = done_pieces(plan.frames, bool(tasks.live))
-    chunks = [chunk_state(folder, sent, tasks, number, pieces, done) for number, pieces in enumerate(planned)]
+    done = done_parts(plan.frames, bool(tasks.live))
+    chunks = [chunk_state(folder, sent, tasks, number, parts, done) for number, parts in enumerate(planned)]
     missing = sum(len(chunk.missing) for chunk in chunks)
-    total = sum(len(pieces) for pieces in planned)
+    total = sum(len(parts) for parts in planned)
     running = sum(chunk.state == "running" for chunk in chunks)
     failed = sum(len(chunk.missing) for chunk in chunks if chunk.state == "failed")
     waited_for = missing - failed - sum(len(chunk.missing) for chunk in chunks if chunk.state == "unsent")
@@ -96,18 +96,18 @@ def tasks_of(folder: FarmFolder, sent: Sent) -> Tasks:
 
 
 def chunk_state(
-    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, pieces: Sequence[Piece], done: Set[Tuple[int, int]]
+    folder: FarmFolder, sent: Optional[Sent], tasks: Tasks, chunk: int, parts: Sequence[FrameTile], done: Set[Tuple[int, int]]
 ) -> ChunkState:
     """Returns a chunk's state. Files decide, not the engine: a chunk is done if all its files exist, and failed if it was
     sent, its task is over, and a file is missing."""
-    missing = [piece.frame.frame for piece in pieces if (piece.frame.frame, piece.tile) not in done]
+    missing = [part.frame.frame for part in parts if (part.frame.frame, part.tile) not in done]
     state = tasks.live.get(chunk, "done")
     if not missing and sent and sent.engine != "slurm":  # only Slurm reports when a task is over
         state = "done"
     if missing and chunk not in tasks.live:
         state = "failed" if sent and chunk in sent.chunks else "unsent"
     reason = reason_of(folder, chunk, tasks.ended.get(chunk, "")) if state == "failed" else ""
-    return ChunkState(chunk, state, [piece.frame.frame for piece in pieces], missing, reason)
+    return ChunkState(chunk, state, [part.frame.frame for part in parts], missing, reason)
 
 
 def log_end(folder: FarmFolder, chunk: int) -> str:
@@ -128,12 +128,12 @@ def reason_of(folder: FarmFolder, chunk: int, ended: str) -> str:
 
 
 def seconds_left(
-    folder: FarmFolder, sent: Optional[Sent], planned: Sequence[Sequence[Piece]], waited_for: int, running: int
+    folder: FarmFolder, sent: Optional[Sent], planned: Sequence[Sequence[FrameTile]], waited_for: int, running: int
 ) -> Optional[float]:
     """Estimates the seconds left from the files made since submission, or from the measured cost while there are few."""
     if not sent or not running or not waited_for:
         return None
-    times = sorted(max(map(time_of, piece.files)) for pieces in planned for piece in pieces)
+    times = sorted(max(map(time_of, part.files)) for parts in planned for part in parts)
     times = [moment for moment in times if moment > sent.at]
     if len(times) > 2 * running:
         return waited_for * (time.time() - sent.at) / len(times)

@@ -17,8 +17,8 @@ export interface CallOptions { method?: string; body?: BodyInit | null; json?: u
 
 /** Reasons by HTTP status, for answers that are not problem documents, such as those of a proxy. */
 const reasons: Record<number, string> = {
-  401: "it wants a token", 403: "it is forbidden", 404: "there is nothing at this address", 408: "the request took too long", 413: "what was sent is too large",
-  429: "too many requests came at once", 502: "the server behind the proxy does not answer", 503: "the server is not there or too busy",
+  401: "it needs a token", 403: "it is forbidden", 404: "there is nothing at this address", 408: "the request took too long", 413: "the request is too large",
+  429: "too many requests came at once", 502: "the server behind the proxy does not answer", 503: "the server is not running or too busy",
   504: "the server behind the proxy took too long",
 };
 

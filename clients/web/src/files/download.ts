@@ -5,6 +5,7 @@ import {page_id} from "../api/identity";
 import type {FrameRequest, Scene} from "../api/types";
 import {sayError} from "../scene/messages";
 import {scene} from "../scene/session";
+import {words} from "../tools/schema";
 import type {Values} from "../tools/state";
 import {orbit, pinholeOf} from "../view/camera";
 import {outdated, shown} from "../view/frames";
@@ -88,7 +89,7 @@ export const downloadPicture = (format: "png" | "exr", size: Size, transparent: 
 });
 
 /** Downloads a map; `request` has the members of MapRequest. */
-export const downloadMap = (request: Values) => make(`Making the map of ${String(request["field"])}`, async (open, stop) => {
+export const downloadMap = (request: Values) => make(`Making the map: ${words(String(request["field"]))}`, async (open, stop) => {
   const {field, ...parameters} = request;
   const query = new URLSearchParams(Object.entries(parameters).map(([name, value]) => [name, String(value)]));
   const answer = await call(`${scenePath(open.id)}/maps/${String(field)}?${query}`, {signal: stop.signal});

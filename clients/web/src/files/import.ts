@@ -35,7 +35,7 @@ function adviceOn(error: unknown): string {
   const {limit} = error.problem;
   if (error.status === 413) return `Reduce the mesh${limit ? ` (${limit})` : ""} and try again.`;
   if (error.status === 429 || error.status === 503) return "The server is busy: try again in a moment.";
-  return `${limit ? `Allowed: ${limit}. ` : ""}Mend the file, or export it again, best as GLB or OBJ.`;
+  return `${limit ? `Allowed: ${limit}. ` : ""}Repair the file, or export it again, preferably as GLB or OBJ.`;
 }
 
 function nameOf(plan: Plan): string {
@@ -64,7 +64,7 @@ async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortC
       description = {...description, revision: answer.revision};
     } catch (error) {
       if (error instanceof Aborted) throw error;
-      notes.push(`The picture was not laid on: ${(error as Error).message}`);
+      notes.push(`The texture was not applied: ${(error as Error).message}`);
     }
   }
   return {description, notes};
@@ -73,17 +73,17 @@ async function send(plan: Plan, id: string, loss: Loss | undefined, stop: AbortC
 /** Returns the state of the card after an upload that failed or was aborted. */
 function stateAfter(error: unknown, plan: Plan, into: string): Import {
   if (error instanceof Aborted) return {stage: "asking", plan, into};
-  const says = error instanceof Offline ? "The connection to the server broke." : (error as Error).message;
+  const says = error instanceof Offline ? "The connection to the server was lost." : (error as Error).message;
   return {stage: "failed", says, next: adviceOn(error), plan, into};
 }
 
 /** Returns the card's notes on a loaded model. */
 function notesOn({materials, carried}: Scene): string[] {
   const bare = materials.filter((material) => material.bare).map(({name}) => name);
-  const notes = bare.length > 0 ? [`Left bare: ${bare.join(", ")}. Paint Bare skin with 0 where fur is to grow.`] : [];
+  const notes = bare.length > 0 ? [`Left bare: ${bare.join(", ")}. To grow fur there, paint Bare skin with value 0.`] : [];
   if (!carried) return notes;
-  const far = carried.far > 0 ? ` Look at what is new: ${carried.far.toLocaleString()} of ${carried.vertices.toLocaleString()} vertices lie far from the model before.` : "";
-  return [...notes, `It has the groom.${far}`, "The scene as it was, with its steps, is in the list."];
+  const far = carried.far > 0 ? ` Check the new parts: ${carried.far.toLocaleString()} of ${carried.vertices.toLocaleString()} vertices are far from the previous model.` : "";
+  return [...notes, `The groom was transferred.${far}`, "The previous scene, with its steps, is in the list."];
 }
 
 /** Speed of the latest upload in bytes per second; 0 before the first. */
@@ -118,7 +118,7 @@ async function recipesBeside(main: InputFile, all: InputFile[]): Promise<Record<
 /** Runs the steps of a recipe or a log on the open scene, each as one undo step. */
 async function runFile(main: InputFile, all: InputFile[]) {
   const open = scene.value;
-  if (!open) return say("Open a scene first.", "A recipe grooms the model that is open.", "error");
+  if (!open) return say("Open a scene first.", "A recipe runs on the open scene.", "error");
   const steps = await stepsOf(open.id, main.path, await main.file.text(), await recipesBeside(main, all));
   let done = 0, broken = "";
   for (const step of steps) {
@@ -130,7 +130,7 @@ async function runFile(main: InputFile, all: InputFile[]) {
     if (broken) break;
   }
   say(done === steps.length && !broken ? `${main.file.name}: ${done} steps are done.` : `${main.file.name} stopped after ${done} of ${steps.length} steps.`,
-      [broken, "Each is one step to undo."].filter(Boolean).join(" "), done === steps.length && !broken ? "info" : "error");
+      [broken, "Each is one undo step."].filter(Boolean).join(" "), done === steps.length && !broken ? "info" : "error");
 }
 
 /** Handles files that were dropped or chosen: runs a recipe, uses a picture, or starts the upload of a model. */
@@ -138,7 +138,7 @@ export async function take(all: InputFile[]) {
   if (all.length === 0) return;
   const recipe = all.find(({path}) => ["json", "jsonl"].includes(endingOf(path)));
   const has_model = all.some(({path}) => ["glb", "gltf", "obj", "ply", "off", "stl", "3ds"].includes(endingOf(path)));
-  if (recipe && !has_model) return runFile(recipe, all).catch((error: Error) => say(`${recipe.file.name}: ${error.message}`, "Drop what it includes with it, in its folder; docs/recipes.md says what a recipe is.", "error"));
+  if (recipe && !has_model) return runFile(recipe, all).catch((error: Error) => say(`${recipe.file.name}: ${error.message}`, "Drop the files that it includes together with it, in their folder. docs/recipes.md describes recipes.", "error"));
   const beside = has_model ? undefined : all.find(({path}) => isPicture(path));
   if (beside) return takePicture(beside.file);
   panel.value = "files";

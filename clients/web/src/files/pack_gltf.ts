@@ -14,7 +14,7 @@ const glb_magic = 0x46546c67, chunk_json = 0x4e4f534a, chunk_binary = 0x004e4942
 
 /** Files that the model references are missing. */
 export class MissingFiles extends Error {
-  constructor(readonly names: string[]) { super(`It needs ${names.join(", ")} beside it.`); }
+  constructor(readonly names: string[]) { super(`Files are missing: ${names.join(", ")}.`); }
 }
 
 function bytesOfDataUri(uri: string): Uint8Array {

@@ -41,17 +41,17 @@ async function pack(model: InputFile, all: InputFile[]): Promise<Blob> {
     return await packGltf(model, all);
   } catch (error) {
     if (error instanceof MissingFiles) throw new PlanError(`${model.file.name}: ${error.message}`, "Drop the whole folder, or choose it with “Folder”.");
-    throw new PlanError(`${model.file.name} is no glTF that can be read.`, "Export it again, best as GLB.");
+    throw new PlanError(`${model.file.name} cannot be read as glTF.`, "Export it again, preferably as GLB.");
   }
 }
 
 export async function planOf(all: InputFile[]): Promise<Plan> {
   const {model, others} = chooseModel(all);
-  if (!model) throw new PlanError("There is no model among these files.", `Models end in ${model_endings.map((one) => `.${one}`).join(", ")}; recipes in .json or .jsonl.`);
+  if (!model) throw new PlanError("There is no model among these files.", `Names of models end in ${model_endings.map((one) => `.${one}`).join(", ")}; recipes in .json or .jsonl.`);
   const ending = endingOf(model.path) as ModelFormat;
-  const notes = others > 0 ? [`${others + 1} models were dropped: ${model.file.name} is taken.`] : [];
+  const notes = others > 0 ? [`${others + 1} models were dropped: ${model.file.name} is used.`] : [];
   const bytes = ending === "gltf" ? await pack(model, all) : model.file;
-  if (bytes.size > max_model_bytes) throw new PlanError(`${model.file.name} has ${mebibytes(bytes.size)}.`, "The server takes 256 MiB: reduce the mesh, or leave out pictures.");
+  if (bytes.size > max_model_bytes) throw new PlanError(`${model.file.name} is too large (${mebibytes(bytes.size)}).`, "The limit is 256 MiB: reduce the mesh, or leave out pictures.");
   if (bytes.size === 0) throw new PlanError(`${model.file.name} is empty.`, "Export it again.");
   const texture = ending === "obj" ? await (await import("./texture")).textureOf(model, all) : {picture: null, notes: []};
   const format = ending === "gltf" ? "glb" : ending;

@@ -32,7 +32,7 @@ async function stepsOf({look, recipe}: Sample, made: Scene): Promise<Step[]> {
 export async function makeSample(sample: Sample) {
   if (preparing.value) return;
   try {
-    preparing.value = "The creature grows its fur";
+    preparing.value = "Growing the creature's fur";
     const made = await createScene({name: sample.name, model: {builtin: "creature", triangles: sample_triangles}, fur: {form: "animal", length: sample.length ?? 0.03}, ground: true});
     const steps = await stepsOf(sample, made);
     let done = 0;
@@ -40,7 +40,7 @@ export async function makeSample(sample: Sample) {
       if (steps.length > 1) preparing.value = `Grooming, step ${done + 1} of ${steps.length}`;
       await change(made.id, "commands", {commands: step.commands}, `${page_id}-${made.id}-${done++}`);
     }
-    preparing.value = "The first picture is drawn";
+    preparing.value = "Drawing the first picture";
     await Promise.all([openScene(made.id), listScenes()]);
   } catch (error) {
     sayError(error);

@@ -75,10 +75,10 @@ export const beforeAndAfter = () => make("Drawing before and after", async (scen
   show(await composeSheet(cells, 2, "Drawing before and after", stop), fileNameOf(scene.name, "before and after", "png"));
 });
 
-export const sideBySide = (other: Scene) => make(`Drawing ${other.name} beside it`, async (scene, stop) => {
+export const sideBySide = (other: Scene) => make(`Drawing ${other.name} beside the open scene`, async (scene, stop) => {
   const aspect = cell.width / cell.height;
   const cells: Cell[] = [scene, other].map((one) => ({scene: one, orbit: framed(one, "three_quarter", aspect), label: one.name}));
-  show(await composeSheet(cells, 2, `Drawing ${other.name} beside it`, stop), fileNameOf(scene.name, `and ${other.name}`, "png"));
+  show(await composeSheet(cells, 2, `Drawing ${other.name} beside the open scene`, stop), fileNameOf(scene.name, `and ${other.name}`, "png"));
 });
 
 /** Draws all pictures before it records them, so that the film has no pauses. */
@@ -88,7 +88,7 @@ export const turntable = () => make("Drawing the turntable", async (scene, stop)
     making.value = {says: "Drawing the turntable", share: k / film_frames, stop};
     pictures.push(await pictureOf({scene, orbit: {...orbit.value, yaw: orbit.value.yaw + (2 * Math.PI * k) / film_frames}, label: ""}, film_size, stop.signal));
   }
-  making.value = {says: "Filming", share: null, stop};
+  making.value = {says: "Encoding the film", share: null, stop};
   show(await filmOf(pictures), fileNameOf(scene.name, "turntable", "webm"), true);
 });
 

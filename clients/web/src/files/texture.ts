@@ -22,13 +22,13 @@ export function diffuseMaps(mtl: string): string[] {
 /** Shrinks a picture or converts it to PNG if the server would refuse it; null if the browser cannot read it. */
 export async function fitting(file: File): Promise<{picture: Blob | null; note: string}> {
   const bitmap = await createImageBitmap(file).catch(() => null);
-  if (!bitmap) return {picture: null, note: `${file.name} is no picture that a browser reads: save it as PNG and drop it again.`};
+  if (!bitmap) return {picture: null, note: `This browser cannot read ${file.name}: save it as PNG and drop it again.`};
   const {width, height} = bitmap;
   const scale = Math.min(1, max_side / Math.max(width, height));
   if (scale === 1 && ["image/png", "image/jpeg"].includes(file.type)) return {picture: file, note: ""};
   const canvas = new OffscreenCanvas(Math.round(width * scale), Math.round(height * scale));
   canvas.getContext("2d")!.drawImage(bitmap, 0, 0, canvas.width, canvas.height);
-  const note = scale < 1 ? `${file.name} was made smaller, from ${width} x ${height} to ${canvas.width} x ${canvas.height} pixels.` : "";
+  const note = scale < 1 ? `${file.name} was scaled down, from ${width} x ${height} to ${canvas.width} x ${canvas.height} pixels.` : "";
   return {picture: await canvas.convertToBlob({type: "image/png"}), note};
 }
 
@@ -38,7 +38,7 @@ async function namesOf(model: InputFile, all: InputFile[], notes: string[]): Pro
   const found: [string, InputFile][] = [];
   for (const library of libraries) {
     const mtl = findNamed(all, model.path, library);
-    if (!mtl) { notes.push(`${baseOf(library)} was not dropped with it: for its colours drop the whole folder.`); continue; }
+    if (!mtl) { notes.push(`${baseOf(library)} is missing: to get the model's colours, drop the whole folder.`); continue; }
     for (const name of diffuseMaps(await mtl.file.text())) found.push([name, mtl]);
   }
   return found;
@@ -47,10 +47,10 @@ async function namesOf(model: InputFile, all: InputFile[], notes: string[]): Pro
 /** Returns the only dropped picture, for a model whose materials reference none or were not dropped. */
 async function onlyPicture(all: InputFile[], notes: string[]): Promise<Texture> {
   const pictures = all.filter(({path}) => skin_endings.test(path));
-  if (pictures.length > 1) notes.push(`${pictures.length} pictures came with it, and no material names one: drop the one for its skin on the model afterwards.`);
+  if (pictures.length > 1) notes.push(`${pictures.length} pictures were dropped, but no material uses one: after the upload, drop the model's texture again.`);
   if (pictures.length !== 1) return {picture: null, notes};
   const {picture, note} = await fitting(pictures[0]!.file);
-  return {picture, notes: [...notes, note || `${pictures[0]!.file.name} was dropped beside it and is laid on as its skin.`]};
+  return {picture, notes: [...notes, note || `${pictures[0]!.file.name} was dropped with the model and becomes its texture.`]};
 }
 
 /** Returns the first referenced picture that is there; the server takes one picture for each model. */
@@ -60,10 +60,10 @@ export async function textureOf(model: InputFile, all: InputFile[]): Promise<Tex
   if (names.length === 0) return onlyPicture(all, notes);
   const files = names.map(([name, mtl]) => findNamed(all, mtl.path, name));
   const missing = names.filter((_, k) => !files[k]).map(([name]) => baseOf(name));
-  if (missing.length) notes.push(`Not there: ${missing.join(", ")}.`);
+  if (missing.length) notes.push(`Missing: ${missing.join(", ")}.`);
   const first = files.find((file) => file !== undefined);
   if (!first) return {picture: null, notes};
-  if (names.length > 1) notes.push(`Its materials name ${names.length} pictures, and one can be laid on the model: ${first.file.name} is used.`);
+  if (names.length > 1) notes.push(`Its materials use ${names.length} pictures, but a model has one texture: ${first.file.name} is used.`);
   const {picture, note} = await fitting(first.file);
   if (note) notes.push(note);
   return {picture, notes};

@@ -42,7 +42,7 @@ function ColourSource() {
   const now = look.value.value;
   if (!now || now.colour_source === "coat") return null;
   return (
-    <p class="help">A model that has colours of its own shows those, not these. <button type="button" onClick={() => look.set({...now, colour_source: "coat"}, true)}>Show the coat's</button></p>
+    <p class="help">The model's own colours replace these. <button type="button" onClick={() => look.set({...now, colour_source: "coat"}, true)}>Show the coat's colours</button></p>
   );
 }
 

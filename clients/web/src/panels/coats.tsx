@@ -67,8 +67,8 @@ function Row({coat, at, editing}: {coat: Coat; at: number; editing: {value: numb
             : <span class="layer-name">{name}</span>}
         </label>
         <button type="button" class="quiet" aria-label={`Rename ${name}`} title="Rename" onClick={() => { editing.value = id; }}><Icon sign="edit" /></button>
-        <button type="button" class="quiet" disabled={at === 0} aria-label={`Move ${name} up`} title="Up" onClick={() => inTurn(() => moveUp(id))}><span aria-hidden="true">↑</span></button>
-        <button type="button" class="quiet" aria-pressed={muted} disabled={last_seen} aria-label={`Mute ${name}`} title={muted ? "Muted: show it" : "Mute"} onClick={() => inTurn(() => change(id, {muted: !muted}))}><Icon sign={muted ? "eye_off" : "eye"} /></button>
+        <button type="button" class="quiet" disabled={at === 0} aria-label={`Move ${name} up`} title="Move up" onClick={() => inTurn(() => moveUp(id))}><span aria-hidden="true">↑</span></button>
+        <button type="button" class="quiet" aria-pressed={muted} disabled={last_seen} aria-label={`Mute ${name}`} title={muted ? "Unmute" : "Mute"} onClick={() => inTurn(() => change(id, {muted: !muted}))}><Icon sign={muted ? "eye_off" : "eye"} /></button>
         <button type="button" class="quiet" disabled={last_seen} aria-label={`Remove ${name}`} title="Remove" onClick={() => inTurn(() => set(entries().filter((one) => one.id !== id)))}><Icon sign="trash" /></button>
       </div>
     </li>

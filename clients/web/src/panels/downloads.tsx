@@ -32,11 +32,11 @@ function Pictures({busy}: {busy: boolean}) {
     <>
       <div class="row"><label for={`${id}s`}>Size</label>
         <select id={`${id}s`} value={size.value} onChange={(event) => { size.value = event.currentTarget.value as Size; }}>
-          {sizes.map((one) => <option key={one} value={one}>{one === "1x" ? "as seen" : one === "2x" ? "twice" : "4K wide"}</option>)}
+          {sizes.map((one) => <option key={one} value={one}>{one === "1x" ? "as on the screen" : one === "2x" ? "twice the screen" : "4K wide"}</option>)}
         </select>
       </div>
       <div class="row"><label for={`${id}t`}>Transparent</label><input id={`${id}t`} type="checkbox" checked={transparent.value} onChange={(event) => { transparent.value = event.currentTarget.checked; }} /></div>
-      <p class="help">{width} x {height} pixels, with the quality of the dial. EXR holds linear light without background.</p>
+      <p class="help">The picture has {width} x {height} pixels and the quality of the dial. EXR has linear light and no background.</p>
       <div class="pair">
         <button type="button" disabled={busy} onClick={() => void downloadPicture("png", size.value, transparent.value)}>PNG</button>
         <button type="button" disabled={busy} onClick={() => void downloadPicture("exr", size.value, true)}>EXR</button>
@@ -48,7 +48,7 @@ function Pictures({busy}: {busy: boolean}) {
 /** Buttons for sheets and films to show to others. */
 function Sheets({busy}: {busy: boolean}) {
   return (
-    <div class="sheets" role="group" aria-label="To show">
+    <div class="sheets" role="group" aria-label="Sheets and films">
       <button type="button" disabled={busy} onClick={() => void contactSheet()}>Contact sheet</button>
       <button type="button" disabled={busy} onClick={() => void beforeAndAfter()}>Before and after</button>
       <button type="button" disabled={busy} onClick={() => void turntable()}>Turntable</button>
@@ -61,7 +61,7 @@ function Maps({busy}: {busy: boolean}) {
   return (
     <details class="group">
       <summary>Maps of the groom</summary>
-      <p class="help">A field as a picture through the model's texture coordinates, for other programs.</p>
+      <p class="help">A map holds one property of the fur, such as its length, as a picture for other programs. It uses the model's texture coordinates.</p>
       <Form members={members} values={map.value} set={(name, value) => { map.value = {...map.value, [name]: value}; }} />
       <button type="button" class="wide" disabled={busy} onClick={() => void downloadMap(map.value)}>Map</button>
     </details>
@@ -77,7 +77,7 @@ export function Downloads() {
       <Pictures busy={busy} />
       <Sheets busy={busy} />
       <Maps busy={busy} />
-      <p class="help">The steps of the groom, to do them again with <code>pelage run</code> or by dropping them here.</p>
+      <p class="help">These files hold the steps of the groom. To repeat them, drop a file on this page or use <code>pelage run</code>.</p>
       <div class="pair">
         <button type="button" disabled={busy} onClick={() => void downloadLog()}>Log (lines)</button>
         <button type="button" disabled={busy} onClick={() => void downloadRecipe()}>Recipe</button>

@@ -35,7 +35,7 @@ function clearing(eye: Eye): Command {
 }
 
 function place(now: Eye[], took: (index: number) => void) {
-  pending_pick.value = {says: "Press where the eye is to be; one on the side gets its pair.", take: (hit) => {
+  pending_pick.value = {says: "Press where the eye goes. An eye on one side gets a mirrored partner.", take: (hit) => {
     const like = now[now.length - 1];
     const alone = isOnMirrorPlane(hit.point, (like?.radius ?? first_radius) * (scene.value?.size ?? 1));
     const pair = proxy.value && !alone ? imagesOnSkin(hit, pairSymmetry(), proxy.value) : [];
@@ -96,7 +96,7 @@ export function Eyes() {
       <div class="chips presets" role="group" aria-label="Eyes">
         {now.map((_, k) => <button key={k} type="button" class="chip" aria-pressed={k === index} onClick={() => { chosen.value = k; }}>Eye {k + 1}</button>)}
       </div>
-      {now.length > 1 && <label class="check"><input type="checkbox" checked={edit_all_eyes.value} onChange={(event) => { edit_all_eyes.value = event.currentTarget.checked; }} /> All eyes alike</label>}
+      {now.length > 1 && <label class="check"><input type="checkbox" checked={edit_all_eyes.value} onChange={(event) => { edit_all_eyes.value = event.currentTarget.checked; }} /> Edit all eyes together</label>}
       <button type="button" aria-pressed={pending_pick.value !== null} disabled={now.length >= maxEyes()} onClick={() => { if (pending_pick.value) pending_pick.value = null; else place(now, (k) => { chosen.value = k; }); }}>Place an eye</button>
       {index >= 0 && <details class="group"><summary>Eye {index + 1}</summary><OneEye now={now} index={index} /></details>}
     </section>

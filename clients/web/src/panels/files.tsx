@@ -26,12 +26,12 @@ function choose(folder: boolean) {
 function OpenFiles() {
   return (
     <div class="open-files">
-      <h2>A model of yours</h2>
+      <h2>Open your model</h2>
       <div class="pair">
         <button type="button" class="wide" onClick={() => choose(false)}>Files…</button>
         <button type="button" class="wide" onClick={() => choose(true)}>Folder…</button>
       </div>
-      <p class="help">Or drop them anywhere on the page: {model_endings.join(", ")}, with their pictures. A recipe (.json, .jsonl) grooms the open scene.</p>
+      <p class="help">You can also drop files anywhere on the page: {model_endings.join(", ")}, with their pictures. A recipe (.json, .jsonl) runs on the open scene.</p>
     </div>
   );
 }
@@ -44,7 +44,7 @@ function Turn() {
       <div class="pair">
         {turns.map((turn) => <button key={turn.says} type="button" title={turn.title} onClick={() => void turnModel(turn)}>{turn.says}</button>)}
       </div>
-      <p class="help">A quarter each time. Fur, mask, layers and eyes turn with it. The steps so far become one that cannot be undone.</p>
+      <p class="help">Each press turns the model by 90 degrees, with its fur, mask, layers and eyes. This cannot be undone, nor can the steps before it.</p>
     </details>
   );
 }
@@ -53,7 +53,7 @@ function Samples() {
   return (
     <section>
       <h3>Samples</h3>
-      <p class="help">A creature with a coat, as a scene of its own.</p>
+      <p class="help">Each sample opens a new scene with a groomed creature.</p>
       <div class="chips presets" role="group" aria-label="Samples">
         {samples.map((sample) => <button key={sample.name} type="button" class="chip" disabled={preparing.value !== ""} onClick={() => void makeSample(sample)}>{sample.name}</button>)}
       </div>

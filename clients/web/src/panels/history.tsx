@@ -76,7 +76,7 @@ function StepRow({row, here, names}: {row: Row; here: boolean; names: string[]})
   return (
     <li class={kind} data-revision={to}>
       <div class="step-line">
-        <button type="button" class="step-go" aria-current={here ? "step" : undefined} title={here ? "The groom is as it was here" : "Go back to here; nothing is lost"} onClick={() => void goTo(to)}>
+        <button type="button" class="step-go" aria-current={here ? "step" : undefined} title={here ? "The groom is at this step" : "Go to this step; the other steps stay in the list"} onClick={() => void goTo(to)}>
           <StepIcon step={step} amended={amended} />
           <span class="step-words"><span class="step-name">{name}</span><small>{about(row)}{!live && <span class="hidden">, not in effect</span>}</small></span>
           {names.map((one) => <span key={one} class="tag">{one}</span>)}

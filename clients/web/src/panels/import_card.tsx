@@ -8,12 +8,12 @@ import {membersOf, schemas, words} from "../tools/schema";
 import {durationOf} from "../view/measured";
 
 const repair_words: Record<string, string> = {
-  welded_vertices: "equal positions became one", flipped_triangles: "triangles were turned to point outwards", split_polygons: "polygons were made into triangles",
-  invalid_faces: "faces that named no vertices were left out", degenerate_faces: "faces without area were left out", repeated_faces: "faces that were there twice were left out",
+  welded_vertices: "duplicate positions were merged", flipped_triangles: "triangles were flipped to face outwards", split_polygons: "polygons were split into triangles",
+  invalid_faces: "faces without valid vertices were left out", degenerate_faces: "faces without area were left out", repeated_faces: "duplicate faces were left out",
   unused_vertices: "vertices without a face were left out", open_edges: "edges are open: the model has holes", non_manifold_edges: "edges have more than two faces",
-  one_sided_edges: "edges stand between faces that disagree which side is out", bad_indices: "faces named vertices that the file does not have",
-  unusable_uvs: "triangles have texture coordinates that are no places in a picture", ignored_extensions: "extensions of the file were not read",
-  mirrored_joints: "joints turn their skin inside out: its faces were turned",
+  one_sided_edges: "edges join faces that face opposite sides", bad_indices: "faces name vertices that the file does not have",
+  unusable_uvs: "triangles have unusable texture coordinates", ignored_extensions: "extensions of the file were ignored",
+  mirrored_joints: "joints mirror their skin: its faces were flipped",
 };
 
 function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | undefined}) {
@@ -23,8 +23,8 @@ function Asking({plan, into, loss}: {plan: Plan; into: string; loss: Loss | unde
     <>
       <h3>{into ? "Upload again" : "Upload"}: {plan.name} ({plan.format})</h3>
       <Notes notes={plan.notes} />
-      {plan.texture && <p class="help">Its picture comes with it.</p>}
-      <p class="help">Tools and looks expect an animal on its feet that faces +z. The axes are a guess: if it comes out lying, upload it again with others.</p>
+      {plan.texture && <p class="help">Its texture is uploaded, too.</p>}
+      <p class="help">Tools and looks expect an animal that stands upright and faces +z. The axes are a guess: if the model lies on its side, upload it again with other axes.</p>
       <Form members={members} values={plan.options} set={set} />
       <KeepGroom plan={plan} into={into} />
       <p class="help">{sizeWords(plan.bytes.size)}</p>
@@ -63,7 +63,7 @@ function Repairs({repairs}: {repairs: Repair[]}) {
 }
 
 function Underway({now}: {now: Extract<Import, {stage: "sending" | "preparing"}>}) {
-  const says = now.stage === "sending" ? `Sending ${now.what}: ${Math.round(now.share * 100)}%` : "The server prepares the model: repairs, patches, the first fur.";
+  const says = now.stage === "sending" ? `Sending ${now.what}: ${Math.round(now.share * 100)}%` : "The server repairs the model and grows its first fur.";
   return (
     <>
       <h3>{now.plan.name}</h3>
@@ -77,7 +77,7 @@ function Underway({now}: {now: Extract<Import, {stage: "sending" | "preparing"}>
 function Done({now}: {now: Extract<Import, {stage: "done"}>}) {
   return (
     <>
-      <h3>{now.plan.name} is there</h3>
+      <h3>{now.plan.name} is loaded</h3>
       <p role="status">{now.triangles.toLocaleString()} triangles.</p>
       <Repairs repairs={now.repairs} />
       <Notes notes={now.notes} />

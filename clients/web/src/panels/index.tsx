@@ -38,7 +38,7 @@ function arrows(event: KeyboardEvent) {
 /** An error boundary: a panel that fails shows the error, while the others and the picture keep working. */
 function Guarded({show: Show}: {show: ComponentType}) {
   const [error] = useErrorBoundary((thrown: unknown) => { console.error(thrown); });
-  return error ? <p class="help" role="alert">This panel does not work: {String(error)}. Reload the page; your groom is on the server.</p> : <Show />;
+  return error ? <p class="help" role="alert">This panel failed: {String(error)}. Reload the page. Your groom is safe on the server.</p> : <Show />;
 }
 
 export function Panels() {

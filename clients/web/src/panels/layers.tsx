@@ -82,7 +82,7 @@ function Weight({layer}: {layer: EditLayer}) {
     <>
       <input type="range" min={low} max={high} step="0.01" value={shown.value} aria-label={`Weight of ${layer.name}`}
              onInput={(event) => { shown.value = Number(event.currentTarget.value); }} onChange={(event) => send(Number(event.currentTarget.value))} />
-      <NumberField label={`Weight of ${layer.name}, as a number`} title={`${min} to ${max}; below 0 the opposite`} range={{minimum: min, maximum: max}} value={shown.value} take={send} />
+      <NumberField label={`Weight of ${layer.name}, as a number`} title={`From ${min} to ${max}. A negative weight reverses the layer.`} range={{minimum: min, maximum: max}} value={shown.value} take={send} />
     </>
   );
 }
@@ -156,11 +156,11 @@ function LayerRow({layer, at, editing}: {layer: EditLayer; at: number; editing: 
         </label>
         <button type="button" class="quiet" aria-label={`Rename ${name}`} title="Rename" onClick={() => { editing.value = name; }}><Icon sign="edit" /></button>
         <button type="button" class="quiet" aria-pressed={isSolo(layer)} aria-label={`Only ${name}`} title="Solo: mute all others" onClick={() => inTurn(() => toggleSolo(name))}><Icon sign="solo" /></button>
-        <button type="button" class="quiet" aria-pressed={muted} aria-label={`Mute ${name}`} title={muted ? "Muted: show it" : "Mute"} onClick={() => inTurn(() => run(set(name, {muted: !current(name)?.muted})))}><Icon sign={muted ? "eye_off" : "eye"} /></button>
+        <button type="button" class="quiet" aria-pressed={muted} aria-label={`Mute ${name}`} title={muted ? "Unmute" : "Mute"} onClick={() => inTurn(() => run(set(name, {muted: !current(name)?.muted})))}><Icon sign={muted ? "eye_off" : "eye"} /></button>
       </div>
       <div class="layer-line">
         <Weight layer={layer} />
-        <button type="button" class="quiet" disabled={!merges} aria-label={`Merge ${name} down`} title={merges ? `Merge into ${below?.name ?? "the base groom"}` : "Muted layers do not merge"}
+        <button type="button" class="quiet" disabled={!merges} aria-label={`Merge ${name} down`} title={merges ? `Merge into ${below?.name ?? "the base groom"}` : "Muted layers cannot be merged"}
                 onClick={() => inTurn(() => run({op: "edit_layer", action: "merge_down", name}))}><Icon sign="merge" /></button>
         <button type="button" class="quiet" aria-label={`Remove ${name}`} title="Remove" onClick={() => inTurn(() => run({op: "edit_layer", action: "remove", name}))}><Icon sign="trash" /></button>
       </div>
@@ -172,7 +172,7 @@ function Note() {
   const layer = layers().find(({name}) => name === edit_layer.value);
   if (!layer) return null;
   if (layer.muted) return <p class="help" role="status">Tools write to {layer.name}, which is muted.</p>;
-  return Math.abs(layer.weight) < 0.05 ? <p class="help" role="status">Tools cannot change {layer.name} while it weighs less than 0.05.</p> : null;
+  return Math.abs(layer.weight) < 0.05 ? <p class="help" role="status">Tools cannot change {layer.name} while its weight is between -0.05 and 0.05.</p> : null;
 }
 
 export function LayersPanel() {
@@ -182,8 +182,8 @@ export function LayersPanel() {
   const full = all.length >= maxLayers();
   return (
     <>
-      <p class="help">Layers keep changes apart from the groom below: weigh, mute, move or merge them at any time. Tools write to the chosen one.</p>
-      <button type="button" class="wide" disabled={full} title={full ? `${all.length} layers are all that there can be` : ""} onClick={() => inTurn(() => add(freshName()))}><Icon sign="plus" />Add a layer</button>
+      <p class="help">A layer keeps changes apart from the groom below it. You can change its weight, or mute, move or merge it, at any time. Tools write to the selected layer.</p>
+      <button type="button" class="wide" disabled={full} title={full ? `A scene has at most ${all.length} layers` : ""} onClick={() => inTurn(() => add(freshName()))}><Icon sign="plus" />Add a layer</button>
       <ol class="layers" aria-label="Layers, highest first" reversed>
         {all.map((layer, at) => <LayerRow key={layer.name} layer={layer} at={at} editing={editing} />).reverse()}
         <li class="layer">

@@ -74,7 +74,7 @@ function Rig({now}: {now: Light[]}) {
       {rig_names.map((name, k) => (
         <RigSlider key={name} label={name} value={intensityOf(now, k)} range={[0, max_intensity]} step={0.05} unit="" set={(to, done) => lights.set(withIntensity(now, k, to), done)} />
       ))}
-      <RigSlider label="Around" value={turnOf(now)} range={[-180, 180]} step={1} unit="°" set={(to, done) => lights.set(withTurn(now, to), done)} />
+      <RigSlider label="Turn" value={turnOf(now)} range={[-180, 180]} step={1} unit="°" set={(to, done) => lights.set(withTurn(now, to), done)} />
     </div>
   );
 }

@@ -13,9 +13,9 @@ type Look = Settings["look"];
 
 /** Title and one line for each shading model; others show only their name from the contract. */
 const models: Record<string, {title: string; line: string}> = {
-  energy_conserving: {title: "True to light", line: "Light goes through and around the fibre; none is made, none is lost."},
+  energy_conserving: {title: "Energy-conserving", line: "Light passes through and around each fibre, and none is lost."},
   marschner: {title: "Marschner", line: "Three highlights of a hair, with the glints of its cross-section."},
-  scheuermann: {title: "Scheuermann", line: "Two shifted highlights, one white and one in the hair's colour. Quick."},
+  scheuermann: {title: "Scheuermann", line: "Two shifted highlights, one white and one in the hair's colour. Fast."},
   kajiya_kay: {title: "Kajiya-Kay", line: "One highlight around a cylinder, and diffuse light."},
   kajiya: {title: "Kajiya", line: "A hair as a thin cylinder, with shadow inside the fur."},
   lengyel: {title: "First fur shells", line: "Light at vertices only."},
@@ -68,9 +68,9 @@ function Skin({now}: {now: Look}) {
     <section>
       <h2>Skin</h2>
       <Form members={colour} values={now} set={(name, value, done) => look.set({...now, [name]: value} as Look, done)} />
-      <p class="help">{own ? "A picture can be laid on the model by its texture coordinates." : "A picture lies on the model."}</p>
+      <p class="help">{own ? "A picture can be the model's texture, if the model has texture coordinates." : "A picture is the model's texture."}</p>
       <FileButton accept="image/*" take={takePicture}>Skin texture…</FileButton>
-      {!own && <button type="button" onClick={() => void run({op: "set_skin_texture", picture: "own"})}>Take the picture off</button>}
+      {!own && <button type="button" onClick={() => void run({op: "set_skin_texture", picture: "own"})}>Remove the picture</button>}
     </section>
   );
 }
@@ -87,7 +87,7 @@ function View() {
   return (
     <section>
       <h2>View</h2>
-      <p class="help">For you alone; the scene stays as it is.</p>
+      <p class="help">These settings change only your view, not the scene.</p>
       <div class="row"><label for="view-background">Background</label>
         <select id="view-background" value={plain ? "plain" : "studio"} onChange={(event) => { background.value = event.currentTarget.value === "studio" ? "studio" : "#8f9498"; }}>
           <option value="studio">Studio</option><option value="plain">One colour</option>

@@ -62,7 +62,7 @@ function Materials() {
   if (materials.length < 2) return null;
   return (
     <label class="mask-material"><span>Material</span>
-      <select value="" title="Tools work on one material of the model alone" onChange={(event) => select({material: {name: event.currentTarget.value}})}>
+      <select value="" title="Limits tools to one material of the model" onChange={(event) => select({material: {name: event.currentTarget.value}})}>
         <option value="" disabled>Choose…</option>
         {materials.map(({name}) => <option key={name} value={name}>{name}</option>)}
       </select></label>
@@ -85,20 +85,20 @@ export function MaskSection() {
     <section aria-label="Mask">
       <div class="section-head"><h3>Mask</h3>
         <button type="button" class="chip" aria-pressed={shown} title="Yellow where tools work, violet where they do not (M)" onClick={toggleMask}><Icon sign="eye" />Show</button>
-        <button type="button" class="chip" aria-pressed={masked.value} title="Shows and touches only what tools may change (Shift+M)" onClick={toggleMasked}>Hide the rest</button></div>
+        <button type="button" class="chip" aria-pressed={masked.value} title="Shows only what tools may change (Shift+M)" onClick={toggleMasked}>Hide the rest</button></div>
       <div class="mask-buttons">
         <span>Paint</span>
-        <button type="button" aria-pressed={paints(0)} title="Paint what tools leave alone" onClick={() => paint(0)}>Protect</button>
-        <button type="button" aria-pressed={paints(1)} title="Paint what tools may change" onClick={() => paint(1)}>Free</button>
-        <button type="button" title="Tools work on one part of the model alone" onClick={choosePart}>A part…</button>
+        <button type="button" aria-pressed={paints(0)} title="Paint where tools change nothing" onClick={() => paint(0)}>Protect</button>
+        <button type="button" aria-pressed={paints(1)} title="Paint where tools may change the fur" onClick={() => paint(1)}>Free</button>
+        <button type="button" title="Limits tools to one part of the model" onClick={choosePart}>A part…</button>
       </div>
       <Materials />
       <div class="mask-buttons">
         <button type="button" title="Protect what is free, free what is protected (Ctrl+I)" onClick={invertMask}>Invert</button>
-        <button type="button" title="More is free" onClick={() => change("grow")}>Grow</button>
-        <button type="button" title="Less is free" onClick={() => change("shrink")}>Shrink</button>
+        <button type="button" title="Enlarge the free area" onClick={() => change("grow")}>Grow</button>
+        <button type="button" title="Reduce the free area" onClick={() => change("shrink")}>Shrink</button>
         <button type="button" title="Soften the edge" onClick={() => change("smooth")}>Blur</button>
-        <button type="button" title="Everything is free" onClick={() => change("select")}>Clear</button>
+        <button type="button" title="Free everything" onClick={() => change("select")}>Clear</button>
       </div>
       <details class="group"><summary>Grow, shrink and blur by</summary>
         <Form members={members} values={edge.value} set={(name, to) => { edge.value = {...edge.value, [name]: to}; }} />

@@ -115,7 +115,7 @@ function Stop({stops, index, chosen, share, set, choose, remove}: StopProps) {
   };
   return (
     <button type="button" class="ramp-stop" role="slider" aria-label={`Stop ${index + 1}`} aria-valuemin={0} aria-valuemax={100} aria-valuenow={Math.round(stop.at * 100)}
-            aria-valuetext={`${Math.round(stop.at * 100)}% of the way to the tip, ${toHex(stop.colour)}`} aria-current={chosen} title="Drag along the hair; Delete takes it away"
+            aria-valuetext={`${Math.round(stop.at * 100)}% from root to tip, ${toHex(stop.colour)}`} aria-current={chosen} title="Drag to move this stop along the hair; Delete removes it"
             style={{left: `${stop.at * 100}%`, background: toHex(stop.colour)}} onFocus={choose} onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={up} onKeyDown={key} />
   );
 }

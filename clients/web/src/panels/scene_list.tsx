@@ -28,7 +28,7 @@ const branch = async (of: Scene) => {
 const share = async (of: Scene) => {
   try {
     await navigator.clipboard.writeText(linkOf(of));
-    say("The link is copied.", "Whoever opens it grooms along.");
+    say("The link was copied.", "Everyone who opens it can groom this scene.");
   } catch {
     sharing.value = of;  // the clipboard needs https and permission
   }
@@ -58,7 +58,7 @@ function Row({of}: {of: Scene}) {
         <span>{now.name}</span><small>{now.model}, {now.triangles.toLocaleString()} triangles</small>
       </button>
       <div class="scene-acts">
-        {!open && scene.value && <button type="button" class="quiet" aria-label={`${of.name} beside the open scene`} disabled={making.value !== null} onClick={() => void sideBySide(of)}>Beside</button>}
+        {!open && scene.value && <button type="button" class="quiet" aria-label={`${of.name} beside the open scene`} disabled={making.value !== null} onClick={() => void sideBySide(of)}>Side by side</button>}
         <button type="button" class="quiet" aria-label={`Branch ${of.name}`} onClick={guarded(() => branch(of))}>Branch</button>
         <button type="button" class="quiet" aria-label={`Link to ${of.name}`} onClick={guarded(() => share(of))}>Link</button>
         <button type="button" class="quiet" aria-label={`Remove ${of.name}`} onClick={() => { removing.value = of; }}>Remove</button>
@@ -74,13 +74,13 @@ function Questions() {
       {gone && (
         <Dialog title={`Remove ${gone.name}?`} close={() => { removing.value = null; }}>
           <div class="question">
-            <p>The scene and its groom go for good, for everybody who has it open.</p>
+            <p>This deletes the scene and its groom for everyone. It cannot be undone.</p>
             <div class="pair"><button type="button" class="primary" onClick={guarded(() => remove(gone))}>Remove</button><button type="button" autoFocus onClick={() => { removing.value = null; }}>Keep</button></div>
           </div>
         </Dialog>)}
       {shared && (
         <Dialog title={`Link to ${shared.name}`} close={() => { sharing.value = null; }}>
-          <div class="question"><label>Whoever opens it grooms along. <input type="text" readOnly value={linkOf(shared)} size={48} onFocus={(event) => event.currentTarget.select()} autoFocus /></label></div>
+          <div class="question"><label>Everyone who opens it can groom this scene. <input type="text" readOnly value={linkOf(shared)} size={48} onFocus={(event) => event.currentTarget.select()} autoFocus /></label></div>
         </Dialog>)}
     </>
   );
@@ -92,7 +92,7 @@ function NewOne() {
     <details class="group">
       <summary>New scene from a built-in model</summary>
       <Form members={members} values={fresh.value} set={(name, value) => { fresh.value = {...fresh.value, [name]: value}; }} />
-      <button type="button" class="wide" onClick={guarded(make)}>Make it</button>
+      <button type="button" class="wide" onClick={guarded(make)}>Create</button>
     </details>
   );
 }
@@ -103,7 +103,7 @@ export function SceneList() {
   return (
     <section>
       <h3>Scenes</h3>
-      {scenes.value.length === 0 && <p class="help">There is none yet.</p>}
+      {scenes.value.length === 0 && <p class="help">There are no scenes yet.</p>}
       <ul class="scenes">{scenes.value.map((of) => <Row key={of.id} of={of} />)}</ul>
       <NewOne />
       <Questions />

@@ -21,7 +21,7 @@ async function branchAt(step: Step) {
     const made = await branchScene(open.id, {name: `${open.name.slice(0, 150)}, ${stepWords(step)}`, revision: step.last});
     await listScenes();
     await openScene(made.id);
-    say(`This is ${made.name}, a scene of its own.`);
+    say(`The branch ${made.name} is open.`);
   } catch (error) {
     sayError(error);
   }
@@ -45,7 +45,7 @@ function Changes({step}: {step: Step}) {
   }, [step.before, step.last]);
   if (!found.value) return <p class="help">…</p>;
   const {touched, fields} = found.value;
-  return <p class="help">{touched === 0 ? "Changed no field." : `${vertices(touched)}: ${fields.map(({field, changed}) => `${field.replaceAll("_", " ")} ${changed.toLocaleString("en")}`).join(", ")}`}</p>;
+  return <p class="help">{touched === 0 ? "This step changed no fur." : `${vertices(touched)}: ${fields.map(({field, changed}) => `${field.replaceAll("_", " ")} ${changed.toLocaleString("en")}`).join(", ")}`}</p>;
 }
 
 export function StepDetail({step, close}: {step: Step; close: () => void}) {

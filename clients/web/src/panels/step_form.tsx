@@ -36,7 +36,7 @@ const sum = (results: CommandAnswer["results"]) => results.reduce((total, {touch
 function verdict(step: Step, count: number, answer: CommandAnswer): string[] {
   const {results} = answer;
   const was = touchedBy(step);
-  const lines = [`${stepWords(step)}: ${vertices(sum(results.slice(0, count)))} (now ${amount(was.count, was.exact)})`];
+  const lines = [`${stepWords(step)}: ${vertices(sum(results.slice(0, count)))} (currently ${amount(was.count, was.exact)})`];
   const later = laterThan(step);
   let at = count;
   let same = 0;
@@ -46,9 +46,9 @@ function verdict(step: Step, count: number, answer: CommandAnswer): string[] {
     at += many;
     const before = touchedBy(one);
     if (touched === before.count || !before.exact) ++same;
-    else lines.push(`${stepWords(one)}: ${vertices(touched)} (now ${amount(before.count)})`);
+    else lines.push(`${stepWords(one)}: ${vertices(touched)} (currently ${amount(before.count)})`);
   }
-  if (later.length) lines.push(same === later.length ? `${same} later ${same === 1 ? "step runs" : "steps run"} again.` : `${same} of ${later.length} later steps touch as many as now.`);
+  if (later.length) lines.push(same === later.length ? `${same} later ${same === 1 ? "step runs" : "steps run"} again.` : `${same} of ${later.length} later steps change as many vertices as before.`);
   return [...lines, ...new Set(results.flatMap(({warnings}) => warnings))];
 }
 
@@ -63,7 +63,7 @@ function CommandForm({command, set}: {command: Command; set: (command: Command) 
     <>
       <Form members={editable(command)} values={command} hidden={forbidden(schema, command)} set={(name, value) => set(withMember(command, name, value))} />
       {has_brush && <Form members={main} values={brush} set={setBrush} />}
-      {has_brush && !command["flood"] && <details class="group"><summary>More of the brush</summary><Form members={more} values={brush} set={setBrush} /></details>}
+      {has_brush && !command["flood"] && <details class="group"><summary>More brush settings</summary><Form members={more} values={brush} set={setBrush} /></details>}
     </>
   );
 }
@@ -92,7 +92,7 @@ export function StepForm({step, close}: {step: Step; close: () => void}) {
     const answer = await change("amend", {revision: step.last, commands: next});
     busy.value = false;
     if (!answer) return;
-    say(done, `${later ? `${later} later ${later === 1 ? "step" : "steps"} ran again. ` : ""}Undo takes it back.`);
+    say(done, `${later ? `${later} later ${later === 1 ? "step" : "steps"} ran again. ` : ""}Undo reverts this.`);
     close();
   };
   return (
@@ -107,7 +107,7 @@ export function StepForm({step, close}: {step: Step; close: () => void}) {
       <div class="step-actions">
         {tried.value
           ? <button type="button" class="primary" disabled={busy.value} onClick={() => void amend(commands.value, `Changed ${stepWords(step)}.`)}>Apply</button>
-          : <button type="button" class="primary" disabled={busy.value || !touched} title="Says what would change; changes nothing" onClick={() => void attempt()}>Try</button>}
+          : <button type="button" class="primary" disabled={busy.value || !touched} title="Shows what would change, without changing it" onClick={() => void attempt()}>Try</button>}
         <span class="grow" />
         <button type="button" class="danger" disabled={busy.value} onClick={() => void amend([], `Dropped ${stepWords(step)}.`)}>Drop this step</button>
       </div>

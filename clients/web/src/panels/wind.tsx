@@ -28,7 +28,7 @@ function Clock({now}: {now: Wind}) {
     <div class="clock" role="group" aria-label="Time">
       <button type="button" aria-pressed={playing.value} onClick={() => (playing.value ? pause() : play(at))}>{playing.value ? "Pause" : "Play"}</button>
       <button type="button" disabled={moment.value === null} onClick={rewind}>Stop</button>
-      <button type="button" disabled={moment.value === null || playing.value} title="Makes this the time that the scene's pictures show"
+      <button type="button" disabled={moment.value === null || playing.value} title="Makes all pictures of the scene show this time"
               onClick={() => { wind.set({...now, time: Number(at.toFixed(3))}, true); rewind(); }}>Keep this time</button>
       <output aria-label="Time shown">{at.toFixed(2)} s</output>
     </div>
@@ -48,7 +48,7 @@ function Heading({now}: {now: Wind}) {
   };
   return (
     <div class="row">
-      <label for={id}>Blows to its</label>
+      <label for={id}>Blows towards its</label>
       <input id={id} type="range" min="-180" max="180" step="1" value={degrees} aria-valuetext={sides[(Math.round(degrees / 45) + 8) % 8]}
              onInput={(event) => turn(Number(event.currentTarget.value), false)} onChange={(event) => turn(Number(event.currentTarget.value), true)} />
       <output>{sides[(Math.round(degrees / 45) + 8) % 8]}</output>
@@ -70,8 +70,8 @@ export function WindPanel() {
       <Clock now={now} />
       <Heading now={now} />
       {form(members.filter(({name}) => first_members.includes(name)))}
-      <details class="group"><summary>More of the wind</summary>{form(members.filter(({name}) => !first_members.includes(name)))}</details>
-      <p class="help">The wind turns the lean of the fur and leaves the groom as it is. Paint the field stiffness where fur is to move less.</p>
+      <details class="group"><summary>More wind settings</summary>{form(members.filter(({name}) => !first_members.includes(name)))}</details>
+      <p class="help">The wind moves the fur without changing the groom. Paint Stiffness where fur should move less.</p>
     </section>
   );
 }

@@ -1,6 +1,7 @@
 // Messages to the user: what happened and what to do next.
 import {signal} from "@preact/signals";
 import {Aborted, Offline, Refusal} from "../api/client";
+import {words} from "../tools/schema";
 
 export interface Message { id: number; kind: "info" | "error"; text: string; next: string }
 
@@ -18,13 +19,16 @@ export function say(text: string, next = "", kind: Message["kind"] = "info") {
   setTimeout(() => dismiss(id), kind === "error" ? 12000 : 5000);
 }
 
+/** Returns the name of the setting that a JSON pointer leads to. */
+const settingOf = (pointer: string) => words(pointer.split("/").filter((part) => part && !/^\d+$/.test(part)).pop() ?? pointer);
+
 /** Shows an error's message; nothing for an aborted request or a lost connection, which is retried. */
 export function sayError(error: unknown) {
   if (error instanceof Aborted || error instanceof Offline) return;
   if (error instanceof Refusal) {
     const {pointer, limit, nearest} = error.problem;
-    const parts = [pointer && `Field ${pointer}`, limit && `allowed: ${limit}`, nearest && `did you mean ${nearest}?`];
+    const parts = [pointer && `Setting: ${settingOf(pointer)}`, limit && `allowed: ${limit}`, nearest && `did you mean ${nearest}?`];
     return say(error.message, parts.filter(Boolean).join(", "), "error");
   }
-  say(`Something went wrong: ${String((error as Error).message ?? error)}`, "Reload the page; your groom is on the server.", "error");
+  say(`Something went wrong: ${String((error as Error).message ?? error)}`, "Reload the page. Your groom is safe on the server.", "error");
 }

@@ -3,7 +3,8 @@ import {effect} from "@preact/signals";
 import {followEvents, type ServerEvent} from "../api/events";
 import {author} from "../api/identity";
 import {unsent} from "../api/outbox";
-import type {ChangeEvent, SceneEvent} from "../api/types";
+import type {ChangeEvent, Op, SceneEvent} from "../api/types";
+import {toolNames} from "../tools/artist_words";
 import {words} from "../tools/schema";
 import {say} from "./messages";
 import {onServerRevision, isOwn, listScenes, openScene, scene} from "./session";
@@ -28,7 +29,7 @@ function handleEvent(id: string, event: ServerEvent) {
 function changed(change: ChangeEvent) {
   if (isOwn(change.revision) || (change.author === author.value && unsent.value > 0)) return;
   if (change.author !== author.value && change.kind !== "join") {
-    say(`${change.author || "Somebody"}: ${change.ops.map(words).join(", ") || change.kind}`);
+    say(`${change.author || "Somebody"}: ${change.ops.map((op) => toolNames[op as Op] ?? words(op.replace(/^set_/, ""))).join(", ") || change.kind}`);
   }
   onServerRevision(change.revision);
 }

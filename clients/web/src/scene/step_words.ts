@@ -16,7 +16,7 @@ const named: Partial<Record<Command["op"], (command: Command) => string>> = {
 };
 
 const shapes = ["vertices", "box", "sphere", "part", "picture"];
-const maskWords = (command: Command) => (shapes.some((shape) => command[shape]) ? "Mask: choose" : "Mask: all free");
+const maskWords = (command: Command) => (shapes.some((shape) => command[shape]) ? "Mask: choose" : "Mask: clear");
 
 function layerWords(command: Command): string {
   const name = `“${String(command["name"])}”`;
@@ -36,7 +36,7 @@ export function commandWords(command: Command): string {
 
 /** Describes a step: its first command and the number of others. */
 export function stepWords(step: Step): string {
-  if (step.kind === "revert") return "Went back";
+  if (step.kind === "revert") return "Went back to an earlier step";
   const commands = commandsIn(step.entries[0]!);
   const first = commands[0];
   if (!first) return "Nothing";

@@ -8,9 +8,9 @@ type Turn = TurnModel & {says: string; title: string};
 
 /** Quarter turns, given by the model's axes that point up and forward afterwards. */
 export const turns: Turn[] = [
-  {says: "Tip forward", title: "Its back comes to point up", up: "-z", front: "y"},
-  {says: "Roll over", title: "Its left comes to point up", up: "x", front: "z"},
-  {says: "Turn round", title: "Its left comes to point forward", up: "y", front: "x"},
+  {says: "Tip forward", title: "Turns the model so that its back points up", up: "-z", front: "y"},
+  {says: "Roll over", title: "Turns the model so that its left side points up", up: "x", front: "z"},
+  {says: "Turn round", title: "Turns the model so that its left side points forward", up: "y", front: "x"},
 ];
 
 export async function turnModel({up, front}: Turn) {

@@ -17,7 +17,7 @@ async function putSkin(id: string, file: File) {
   const {picture, note} = await fitting(file);
   if (!picture) return say(note, "", "error");
   await put(id, "skin_texture", picture);
-  say(`${file.name} lies on the model.`, note);
+  say(`${file.name} is now the model's texture.`, note);
 }
 
 /** Uploads an environment; its intensity and turn stay as they were. */
@@ -25,7 +25,7 @@ async function putEnvironment(id: string, file: File) {
   const {intensity, turn_degrees} = settings.value?.environment ?? {};
   const parameters = Object.entries({intensity, turn_degrees}).flatMap(([name, value]) => (value === undefined ? [] : [`${name}=${value}`]));
   await put(id, `environment?${parameters.join("&")}`, file);
-  say(`${file.name} lights the model.`);
+  say(`${file.name} now lights the model.`);
 }
 
 const light_endings = /\.(hdr|exr)$/i;
@@ -35,6 +35,6 @@ export const isPicture = (path: string) => light_endings.test(path) || skin_endi
 /** Uploads a picture to the open scene: HDR and EXR as environment, others as skin texture. Shows an error if it fails. */
 export async function takePicture(file: File): Promise<void> {
   const id = scene.value?.id;
-  if (!id) return say("Open a scene first.", "A picture is laid on the model that is open, or lights it.", "error");
+  if (!id) return say("Open a scene first.", "A picture becomes the texture of the open model, or lights it.", "error");
   await (light_endings.test(file.name) ? putEnvironment(id, file) : putSkin(id, file)).catch(sayError);
 }

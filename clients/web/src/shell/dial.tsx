@@ -16,8 +16,8 @@ const max_error = storedSignal("dial-error", 0.05);
 
 const tiers = ["draft", "interactive", "detailed", "reference"] as const;
 const says: Record<Stop, string> = {
-  draft: "Coarse and quick, while you block out", interactive: "Sharp enough to comb by", detailed: "Fine hair and soft shadows, to judge colour", reference: "Every strand traced, to show others",
-  budget: "The best picture within", error: "The quickest picture within",
+  draft: "Coarse and fast, for blocking out", interactive: "Sharp enough for combing", detailed: "Fine hair and soft shadows, for judging colour", reference: "Every strand traced, for final pictures",
+  budget: "The best picture within", error: "The fastest picture with an error up to",
 };
 
 /** Returns text such as "about 60 ms"; "" if unknown. */
@@ -57,7 +57,7 @@ function Limit({stop, value, set, unit}: {stop: "budget" | "error"; value: numbe
     choose(stop);
   };
   return (
-    <span class="dial-limit"><NumberField label={stop === "budget" ? "Milliseconds of a picture" : "Error of a picture"}
+    <span class="dial-limit"><NumberField label={stop === "budget" ? "Milliseconds per picture" : "Error of a picture"}
       range={limitsOf(stop === "budget" ? "budget_ms" : "max_error")} value={value} take={take} /> {unit}</span>
   );
 }
@@ -71,11 +71,11 @@ function limitsOf(name: string): Range {
 function Numbers({name}: {name: string}) {
   return (
     <details class="group">
-      <summary>By numbers</summary>
+      <summary>Limits and measurements</summary>
       <StopRow stop="budget" name={name}><Limit stop="budget" value={budget_ms.value} set={(to) => { budget_ms.value = to; }} unit="ms" /></StopRow>
       <StopRow stop="error" name={name}><Limit stop="error" value={max_error.value} set={(to) => { max_error.value = to; }} unit="FLIP" /></StopRow>
       <dl class="dial-errors">{tiers.map((tier) => <div key={tier}><dt>{stopNames[tier]}</dt><dd>{errorWords(measured.value[tier])}</dd></div>)}</dl>
-      <p class="help">Times are those of the newest pictures here. Error is the server's estimate: mean FLIP over the fur against the same strands, traced.</p>
+      <p class="help">Times are those of your newest pictures. The error is the server's estimate: the mean difference (FLIP, 0 to 1) from a traced picture, over the fur.</p>
     </details>
   );
 }
@@ -85,11 +85,11 @@ function Card({close}: {close: () => void}) {
   return (
     <>
       <fieldset>
-        <legend>What the picture is for</legend>
+        <legend>Picture quality</legend>
         {tiers.map((tier) => <StopRow key={tier} stop={tier} name={name} />)}
         <Numbers name={name} />
       </fieldset>
-      <label class="dial-trace"><input type="checkbox" checked={trace_at_rest.value} onChange={(event) => { trace_at_rest.value = event.currentTarget.checked; }} /> Go on to Final by itself when nothing moves</label>
+      <label class="dial-trace"><input type="checkbox" checked={trace_at_rest.value} onChange={(event) => { trace_at_rest.value = event.currentTarget.checked; }} /> Continue to Final when nothing moves</label>
       <button type="button" class="wide" disabled={!scene.value} onClick={() => { close(); dialog.value = "reference"; }}>Compare with Final</button>
     </>
   );
@@ -111,7 +111,7 @@ export function DialControl() {
   const time = measure?.milliseconds != null ? ` ${durationOf(measure.milliseconds)}` : "";
   return (
     <>
-      <button type="button" class="dial-button" popovertarget={id} title="What the picture is drawn for, from quick to true" aria-label={`Quality: ${name}${time}`}>
+      <button type="button" class="dial-button" popovertarget={id} title="Picture quality, from fast to accurate" aria-label={`Quality: ${name}${time}`}>
         <span class="dial-scale" data-stop={stop} aria-hidden="true"><i /><i /><i /><i /></span>
         <b>{name}</b>{time && <small>{time}</small>}
       </button>

@@ -2,8 +2,8 @@ import {Dialog} from "./dialog";
 import {shortcuts} from "./keys";
 import {dialog} from "./ui_state";
 
-const held = [["drag on fur", "use the tool"], ["drag beside it, or Alt+drag", "turn"], ["middle or right drag", "turn"], ["Shift+middle drag, Alt+Shift+drag", "move the picture"],
-  ["wheel, pinch", "zoom"], ["two fingers", "turn on a trackpad; move and zoom on a screen"], ["Ctrl+drag", "the tool's opposite"], ["Shift+drag", "smooth"],
+const held = [["drag on fur", "use the tool"], ["drag beside it, or Alt+drag", "turn the view"], ["middle or right drag", "turn the view"], ["Shift+middle drag, Alt+Shift+drag", "move the picture"],
+  ["wheel, pinch", "zoom"], ["two fingers", "turn (trackpad), or move and zoom (touch screen)"], ["Ctrl+drag", "the tool's opposite"], ["Shift+drag", "smooth"],
   ["hold F, move", "size of the brush"], ["hold Shift+F, move", "its strength"], ["hold Space, move", "choose a tool around the pointer"]] as const;
 
 export function KeySheet() {

@@ -1,6 +1,7 @@
 // Keyboard shortcuts, as usual in sculpting programs. The sheet that ? opens is made from this table.
 import type {Op} from "../api/types";
 import {redo, undo} from "../scene/session";
+import {toolNames} from "../tools/artist_words";
 import {brush, current, inverting, mirror, setBrush, smoothing} from "../tools/state";
 import {invertMask, toggleMask, toggleMasked} from "../panels/mask";
 import {tools} from "../tools/catalogue";
@@ -27,10 +28,10 @@ export const shortcutOf = (op: Op) => tool_keys.find(([, other]) => other === op
 export const shortcuts: Shortcut[] = [
   {keys: "[", says: "smaller brush", group: "Brush", run: () => step("radius", 1 / 1.15, 1)},
   {keys: "]", says: "larger brush", group: "Brush", run: () => step("radius", 1.15, 1)},
-  {keys: "Shift+[", says: "weaker", group: "Brush", run: () => step("strength", 1 / 1.15, 1)},
-  {keys: "Shift+]", says: "stronger", group: "Brush", run: () => step("strength", 1.15, 1)},
+  {keys: "Shift+[", says: "weaker brush", group: "Brush", run: () => step("strength", 1 / 1.15, 1)},
+  {keys: "Shift+]", says: "stronger brush", group: "Brush", run: () => step("strength", 1.15, 1)},
   {keys: "X", says: "mirror on or off", group: "Brush", run: toggleMirror},
-  {keys: ".", says: "look closer at what is under the pointer", group: "View", run: focus},
+  {keys: ".", says: "zoom to the point under the pointer", group: "View", run: focus},
   {keys: "Home", says: "show the whole model", group: "View", run: () => moveTo("three_quarter")},
   {keys: "1", says: "from the front", group: "View", run: () => moveTo("front")},
   {keys: "2", says: "from the right", group: "View", run: () => moveTo("right")},
@@ -39,12 +40,12 @@ export const shortcuts: Shortcut[] = [
   {keys: "5", says: "from above", group: "View", run: () => moveTo("top")},
   {keys: "Ctrl+Z", says: "undo", group: "Groom", run: () => void undo()},
   {keys: "Ctrl+Shift+Z", says: "redo", group: "Groom", run: () => void redo()},
-  {keys: "M", says: "show the mask", group: "Groom", run: toggleMask},
-  {keys: "Shift+M", says: "hide what the mask protects", group: "Groom", run: toggleMasked},
+  {keys: "M", says: "show or hide the mask", group: "Groom", run: toggleMask},
+  {keys: "Shift+M", says: "hide or show what the mask protects", group: "Groom", run: toggleMasked},
   {keys: "Ctrl+I", says: "invert the mask", group: "Groom", run: invertMask},
-  {keys: "H", says: "the steps so far", group: "Groom", run: () => { panel.value = "history"; }},
-  {keys: "?", says: "this sheet", group: "Groom", run: () => { dialog.value = dialog.value === "keys" ? null : "keys"; }},
-  ...tool_keys.map(([keys, op]): Shortcut => ({keys, says: op, group: "Tools", run: hold(op)})),
+  {keys: "H", says: "show the history", group: "Groom", run: () => { panel.value = "history"; }},
+  {keys: "?", says: "show these shortcuts", group: "Groom", run: () => { dialog.value = dialog.value === "keys" ? null : "keys"; }},
+  ...tool_keys.map(([keys, op]): Shortcut => ({keys, says: (toolNames[op] ?? op).toLowerCase(), group: "Tools", run: hold(op)})),
 ];
 
 /** Returns the name of a pressed key as in the table. */

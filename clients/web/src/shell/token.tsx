@@ -16,9 +16,9 @@ export function TokenDialog() {
   return (
     <Dialog title="The server's token" close={() => { refused_token.value = null; }}>
       <form class="token-form" onSubmit={give}>
-        <p>{refused ? "The server does not take this token." : "This server answers only those who have its token."} Whoever started it with <code>--token</code> knows it.</p>
+        <p>{refused ? "The server does not accept this token." : "This server needs a token."} Ask the person who started it with <code>--token</code>.</p>
         <label>Token <input type="password" autoComplete="current-password" autoFocus value={typed.value} onInput={(event) => { typed.value = event.currentTarget.value; }} /></label>
-        <button type="submit" class="primary" disabled={!typed.value.trim()}>Go on</button>
+        <button type="submit" class="primary" disabled={!typed.value.trim()}>Continue</button>
       </form>
     </Dialog>
   );

@@ -7,16 +7,16 @@ import {panel} from "./ui_state";
 const welcomed = storedSignal("welcomed", false);
 
 const hints = [
-  ["Drag on the fur", "combs it the way you move."],
-  ["Drag beside it", "turns the view; the wheel comes closer."],
-  ["Ctrl+Z", "takes back what you did."],
+  ["Drag on the fur", "combs it in that direction."],
+  ["Drag beside it", "turns the view; the wheel zooms."],
+  ["Ctrl+Z", "undoes the last step."],
 ] as const;
 
 export function Welcome() {
   if (welcomed.value || !scene.value || preparing.value) return null;
   return (
     <section class="welcome" aria-label="First steps">
-      <h2>Groom it</h2>
+      <h2>First steps</h2>
       <dl>{hints.map(([what, does]) => <div key={what}><dt>{what}</dt><dd>{does}</dd></div>)}</dl>
       <button type="button" class="primary" onClick={() => { welcomed.value = true; }}>Begin</button>
     </section>

@@ -25,7 +25,7 @@ export function AlphaRow() {
   };
   const takeFile = (own: File | undefined) => { if (own) void take(own.name, own).catch(sayError); };
   return (
-    <label class="row" title="Each dab prints this picture, its top to where the stroke goes: bright changes much, black nothing"><span>Alpha</span>
+    <label class="row" title="Each dab applies this picture, with its top in the direction of the stroke. Bright pixels change the fur, black ones do not."><span>Alpha</span>
       <select value={now} onChange={(event) => { choose(event.currentTarget.value); event.currentTarget.value = now; }}>
         <option value="">None</option>
         {drawn.map((label) => <option key={label} value={label}>{label}</option>)}

@@ -5,31 +5,31 @@ export const toolNames: Partial<Record<Op, string>> = {attract: "Pull", erase: "
 
 /** One line on what each tool does. */
 export const toolWords: Partial<Record<Op, string>> = {
-  comb: "Turns fur the way you drag.",
-  blow: "Blows fur away from you, as a dryer does.",
-  attract: "Pulls fur to where you let go, and stretches it.",
-  interpolate: "Lays fur by short lines that you draw: between them it follows.",
+  comb: "Combs fur in the direction of your drag.",
+  blow: "Blows fur away from you, like a hair dryer.",
+  attract: "Pulls fur towards the point where you let go, and stretches it.",
+  interpolate: "Lays fur along short lines that you draw, and blends it between them.",
   flow: "Lays fur along lines that you draw on the body.",
-  smooth: "Makes fur agree with the fur beside it.",
-  noise: "Tousles fur; with Ctrl it takes that off.",
-  unify: "Makes fur under the brush alike.",
-  part: "Draws a parting; with Ctrl fur closes over the line.",
-  whorl: "Turns fur round a point: a cowlick.",
+  smooth: "Blends fur with the fur around it.",
+  noise: "Tousles fur. Ctrl reverses it.",
+  unify: "Makes all fur under the brush the same.",
+  part: "Draws a parting. Ctrl closes it.",
+  whorl: "Turns fur around a point, as in a cowlick.",
   length: "Makes fur longer or shorter.",
-  trim: "Cuts fur to a height.",
-  lift: "Raises fur; with Ctrl it lays it down.",
-  erase: "Brings back the fur that was there at first, or at a checkpoint.",
-  clump: "Gathers fur in tufts; with Ctrl it opens them.",
-  curl: "Curls fur; with Ctrl it takes the curl out.",
-  paint: "Paints colour, density and other things; with Ctrl it takes them off.",
+  trim: "Cuts fur at a height above the skin.",
+  lift: "Raises fur. Ctrl lays it down.",
+  erase: "Restores the first groom, or that of a checkpoint.",
+  clump: "Gathers fur in tufts. Ctrl spreads them.",
+  curl: "Curls fur. Ctrl straightens it.",
+  paint: "Paints colour, density and other properties. Ctrl restores their defaults.",
 };
 
 /** How to use a tool, if its line above does not say so. */
 export const handWords: Partial<Record<Op, string>> = {
-  blow: "Drag over the fur: the wind comes from where you look.",
+  blow: "Drag over the fur: the wind blows away from the view.",
   attract: "Press on the fur, drag away and let go.",
   part: "Drag along the line of the parting.",
-  whorl: "Drag where the fur is to turn.",
+  whorl: "Drag where the fur should turn.",
 };
 
 /** Settings that are always visible; the others are in a collapsed group. */
@@ -40,17 +40,17 @@ export const firstMembers: Partial<Record<Op, string[]>> = {
 };
 
 export const memberNames: Record<string, string> = {
-  sigma: "How softly they blend", t: "Each pass", keep_inclination: "Keep how far it lies", inclination: "How far it lies", lean: "How far it lies",
-  feature_size: "Grain", max_stretch: "Stretches up to", mean: "Alike in", weight: "How alike", passes: "How smooth", falloff_shape: "Form of the brush", falloff: "Edge",
-  front_faces_only: "Only what faces you", cut_off_degrees: "Faces you within", pressure_to_radius: "Pen sets radius", pressure_to_strength: "Pen sets strength",
-  strand_from: "Along strands, from", strand_to: "Along strands, to", crease_degrees: "Sharp edges from", two_sided: "Parts with a back",
-  fur_patches: "How fur is laid", harmonics: "Light from all around", longitudinal_roughness: "Roughness along", azimuthal_roughness: "Roughness around",
-  refractive_index: "Refraction", eumelanin: "Brown and black", pheomelanin: "Red and blond", caustic_width: "Width of glints",
-  primary_shift: "Shift of the first highlight", secondary_shift: "Shift of the second highlight", angle_degrees: "Size in the sky",
+  sigma: "Blend width", t: "Amount per pass", keep_inclination: "Keep the lean", inclination: "Lean", lean: "Lean",
+  feature_size: "Grain size", max_stretch: "Maximum stretch", mean: "Even out", weight: "Amount", passes: "Passes", falloff_shape: "Brush shape", falloff: "Falloff",
+  front_faces_only: "Front faces only", cut_off_degrees: "Front faces up to", pressure_to_radius: "Pen sets radius", pressure_to_strength: "Pen sets strength",
+  strand_from: "Along strands, from", strand_to: "Along strands, to", crease_degrees: "Sharp edges from", two_sided: "Two-sided parts",
+  fur_patches: "Fur layout", harmonics: "Light from all around", longitudinal_roughness: "Roughness along", azimuthal_roughness: "Roughness around",
+  refractive_index: "Refractive index", eumelanin: "Brown-black pigment", pheomelanin: "Red-blond pigment", caustic_width: "Width of glints",
+  primary_shift: "Shift of the first highlight", secondary_shift: "Shift of the second highlight", angle_degrees: "Angular size",
 };
 
 /** Names of choices. */
 export const choiceNames: Record<string, string> = {
-  straight: "Through the air", dijkstra: "Along the skin", heat: "Along the skin, evenly", volume: "Ball", surface: "On the skin", screen: "As seen",
-  lengyel: "First fur shells", scale: "Times", jitter: "Uneven", bare: "Skin without fur", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",
+  straight: "In a straight line", dijkstra: "Along the skin", heat: "Along the skin, smooth", volume: "Ball", surface: "Along the skin", screen: "Circle on the screen",
+  lengyel: "First fur shells", scale: "Scale", jitter: "Random", bare: "Bare skin", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",
 };

@@ -67,7 +67,7 @@ export function ColourField({id, label, value, set}: Props) {
   const change = (part: Partial<Hsv>, done: boolean) => take(fromHsv({...now, ...part}), done);
   const drop = () => {
     card.current!.hidePopover();
-    pending_pick.value = {says: "Press on the fur whose colour it is to be.", take: (_, pixel) => { const seen = view.value?.colourAt(...pixel); if (seen) take(seen, true); }};
+    pending_pick.value = {says: "Press on the fur to pick its colour.", take: (_, pixel) => { const seen = view.value?.colourAt(...pixel); if (seen) take(seen, true); }};
   };
   const typed = (event: Event & {currentTarget: HTMLInputElement}) => {
     const text = event.currentTarget.value.trim().replace(/^#?/, "#");

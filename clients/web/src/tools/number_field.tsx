@@ -18,8 +18,8 @@ export function NumberField({label, title, value, range = {}, whole = false, tak
   const typed = useSignal<string | null>(null);
   const accept = (number: number) => {
     const held = allowed(number, whole, range);
-    if (held === null) return say(`${label}: numbers above ${range.exclusiveMinimum} are allowed.`);
-    if (held !== number) say(`${label}: ${held} is the nearest number that is allowed.`);
+    if (held === null) return say(`${label}: the number must be above ${range.exclusiveMinimum}.`);
+    if (held !== number) say(`${label}: ${held} is the nearest allowed number.`);
     take(held);
   };
   const change = (field: HTMLInputElement) => {

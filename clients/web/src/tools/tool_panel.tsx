@@ -54,7 +54,7 @@ function SavePreset({op}: {op: Op}) {
     const preset = {name, values: {...set_values.value[op]}, brush: {...set_brush.value}};
     saved.value = {...saved.value, [op]: [...(saved.value[op] ?? []).filter((other) => other.name !== name), preset]};
   };
-  if (!naming.value) return <button type="button" class="chip" title="Keep these settings of tool and brush in this browser" onClick={() => { naming.value = true; }}>Save…</button>;
+  if (!naming.value) return <button type="button" class="chip" title="Save the settings of tool and brush in this browser" onClick={() => { naming.value = true; }}>Save…</button>;
   return <form class="name-row" onSubmit={save}><input name="name" type="text" maxLength={30} aria-label="Name of the preset" autoFocus /><button type="submit">Save</button></form>;
 }
 
@@ -80,12 +80,12 @@ function Guides({op}: {op: "flow" | "interpolate"}) {
   return (
     <section>
       <h3>{op === "flow" ? "Guides" : "Keys"}</h3>
-      <p class="help">{op === "flow" ? "Draw on the body: fur follows the line." : "Draw short lines: fur between them follows."} Drag points to move them.</p>
+      <p class="help">{op === "flow" ? "Draw a line on the body: fur follows it." : "Draw short lines: fur between them blends from one to the next."} Drag points to move them.</p>
       {guides.map((guide, k) => (
         <div class="list-row" key={k}><span>{op === "flow" ? "Guide" : "Key"} {k + 1}</span><small>{guide.length} points</small>
           <button type="button" onClick={() => void removeGuide(op, k)}>Delete</button></div>
       ))}
-      {guides.length > 0 && <button type="button" onClick={() => void layAgain(op)}>Lay again with these settings</button>}
+      {guides.length > 0 && <button type="button" onClick={() => void layAgain(op)}>Lay the fur again with these settings</button>}
     </section>
   );
 }
@@ -104,7 +104,7 @@ function Standing({op}: {op: "blow" | "attract"}) {
   const use = (name: string) => void run(op === "blow" ? {op, blower: name} : {op, attractor: name});
   return (
     <section>
-      <h3>{op === "blow" ? "Blowers that stay" : "Attractors that stay"}</h3>
+      <h3>{op === "blow" ? "Blowers of the scene" : "Attractors of the scene"}</h3>
       {list.map(({name}, k) => (
         <div class="list-row" key={name}><span>{name}</span>
           <button type="button" onClick={() => use(name)}>Use</button>
@@ -125,7 +125,7 @@ function ToolSettings({tool}: {tool: Tool}) {
   return (
     <>
       {form(first)}
-      {more.length > 0 && <details class="group"><summary>More of {tool.name}</summary>{form(more)}</details>}
+      {more.length > 0 && <details class="group"><summary>More settings of {tool.name}</summary>{form(more)}</details>}
     </>
   );
 }
@@ -133,7 +133,7 @@ function ToolSettings({tool}: {tool: Tool}) {
 function Steadiness() {
   const id = useId();
   return (
-    <div class="row" title="The brush follows the pointer on a rope, so that a hand that trembles draws a smooth line">
+    <div class="row" title="The brush trails the pointer, so that a shaky hand draws a smooth line">
       <label for={id}>Steady hand</label>
       <input id={id} type="range" min="0" max="1" step="0.05" value={steadiness.value} onInput={(event) => { steadiness.value = Number(event.currentTarget.value); }} />
     </div>
@@ -149,7 +149,7 @@ function BrushSettings() {
       <Form members={main} values={brush.value} set={setBrush} />
       <AlphaRow />
       <Steadiness />
-      <details class="group"><summary>More of the brush</summary><Form members={more} values={brush.value} set={setBrush} /></details>
+      <details class="group"><summary>More brush settings</summary><Form members={more} values={brush.value} set={setBrush} /></details>
     </section>
   );
 }

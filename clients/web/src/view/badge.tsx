@@ -13,21 +13,21 @@ function stageWords(seen: Shown): string {
 
 /** Details for measurements: how the picture was drawn, how long it took, and which revision it shows. */
 function details({stage, picture}: Shown): string {
-  const samples = picture.trace ? `${Math.round(picture.trace.samples)} samples of each pixel` : `${picture.knobs.raster?.strands ?? 1.4} strands a pixel`;
-  return `${stage === "traced" ? `Traced, ${samples}` : `Rasterized, ${samples}`}; ${durationOf(millisecondsOf(picture))} of the server; revision ${picture.revision}`;
+  const samples = picture.trace ? `${Math.round(picture.trace.samples)} samples per pixel` : `${picture.knobs.raster?.strands ?? 1.4} strands per pixel`;
+  return `${stage === "traced" ? `Traced, ${samples}` : `Rasterized, ${samples}`}; drawn in ${durationOf(millisecondsOf(picture))}; revision ${picture.revision}`;
 }
 
 function progressWords(seen: Shown | null): string {
   if (!pending.value) return "";
-  const refines = seen?.stage === "traced" && seen.picture.trace?.end === "none" && passesOf(seen) > 0;
-  return refines ? `${passesOf(seen)} of ${tracing.passes}, drawing…` : "drawing…";
+  const is_tracing = seen?.stage === "traced" && seen.picture.trace?.end === "none" && passesOf(seen) > 0;
+  return is_tracing ? `${passesOf(seen)} of ${tracing.passes}, drawing…` : "drawing…";
 }
 
 export function Badge() {
   const seen = shown.value;
   return (
     <div class="badge" role="status" aria-live="off">
-      {offline.value && <span class="badge-offline">no connection, trying again{unsent.value ? `; ${unsent.value} kept` : ""}</span>}
+      {offline.value && <span class="badge-offline">no connection, trying again{unsent.value ? `; changes waiting: ${unsent.value}` : ""}</span>}
       {seen && <>
         <span class={`dot dot-${seen.stage}`} aria-hidden="true" />
         <span class="badge-stage" title={details(seen)}>{stageWords(seen)}</span>

@@ -11,7 +11,7 @@ export function FirstPicture() {
   return (
     <>
       {stored && <img class="stored-picture" src={stored} alt="" />}
-      {scene.value && <div class="first-picture" role="status"><p>The first picture is drawn…</p><progress aria-label="The first picture is drawn" /></div>}
+      {scene.value && <div class="first-picture" role="status"><p>Drawing the first picture…</p><progress aria-label="Drawing the first picture" /></div>}
     </>
   );
 }

@@ -7,7 +7,7 @@ import type {Dial} from "./quality";
 
 export type Stop = Tier | "budget" | "error";
 /** Artists' names for the stops. */
-export const stopNames: Record<Stop, string> = {draft: "Sketch", interactive: "Groom", detailed: "Beauty", reference: "Final", budget: "In time", error: "True enough"};
+export const stopNames: Record<Stop, string> = {draft: "Sketch", interactive: "Groom", detailed: "Beauty", reference: "Final", budget: "Time limit", error: "Error limit"};
 export interface Measure {
   /** Time of the newest picture that was drawn completely; null before there is one. */
   milliseconds: number | null;

@@ -241,7 +241,7 @@ export function Viewport() {
         <canvas class="sketch" ref={sketch} aria-hidden="true" />
       </div>
       <FirstPicture />
-      {pending_pick.value && <div class="hint-line" role="status">{pending_pick.value.says} <kbd>Esc</kbd> leaves it.</div>}
+      {pending_pick.value && <div class="hint-line" role="status">{pending_pick.value.says} <kbd>Esc</kbd> cancels.</div>}
       <PieMenu />
       <Compare />
       <Gizmos />

@@ -54,7 +54,7 @@ struct Body {
 struct Stage {
   Body body;
   Coat coat;
-  Fur rest;  // the fur that erase restores
+  Fur baseline;  // the fur that erase restores
 };
 
 /// Returns the unit vector along `v`, or 0 for a zero vector.

@@ -16,12 +16,13 @@ Reach reach(const Body& body, DistanceKind kind, const std::vector<Corner>& corn
 }
 
 /// Adds the corners around the surface point nearest to `position`. Each gets the tangent part of the unit vector
-/// `way`, scaled to `length`.
-void add_corners(const Body& body, dvec3 position, dvec3 way, double length, bool all, std::vector<Corner>& corners) {
+/// `direction`, scaled to `length`.
+void add_corners(const Body& body, dvec3 position, dvec3 direction, double length, bool all,
+                 std::vector<Corner>& corners) {
   const SurfacePoint nearest = body.surface.nearest(position);
   const dvec3 there = body.surface.position(nearest);
   for (const Vertex v : corners_of(body, nearest)) {
-    const dvec2 part = body.in_frame(v, way);
+    const dvec2 part = body.in_frame(v, direction);
     const bool heads = glm::length(part) >= 1e-6;
     if (!heads && !all) continue;
     const dvec3 vector = heads ? body.in_space(v, part * (length / glm::length(part))) : dvec3(0);
@@ -31,8 +32,8 @@ void add_corners(const Body& body, dvec3 position, dvec3 way, double length, boo
 
 std::vector<Corner> corners_of(const Key& key, const Body& body) {
   std::vector<Corner> corners;
-  const dvec3 way = key.direction ? unit(*key.direction) : dvec3(0);
-  add_corners(body, body.inside(key.position), way, key.inclination.value_or(0.5), true, corners);
+  const dvec3 direction = key.direction ? unit(*key.direction) : dvec3(0);
+  add_corners(body, body.inside(key.position), direction, key.inclination.value_or(0.5), true, corners);
   return corners;
 }
 
@@ -41,9 +42,9 @@ std::vector<Corner> corners_of(const std::vector<dvec3>& curve, const Body& body
   std::vector<Corner> corners;
   for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
     const dvec3 from = body.inside(curve[i]), to = body.inside(curve[i + 1]);
-    const int pieces = static_cast<int>(std::clamp(std::ceil(glm::distance(from, to) / 0.01), 1.0, 4096.0));
-    for (int k = 0; k <= pieces; ++k) {
-      const double t = static_cast<double>(k) / pieces;
+    const int steps = static_cast<int>(std::clamp(std::ceil(glm::distance(from, to) / 0.01), 1.0, 4096.0));
+    for (int k = 0; k <= steps; ++k) {
+      const double t = static_cast<double>(k) / steps;
       add_corners(body, (1 - t) * from + t * to, unit(to - from), 1, false, corners);
     }
   }
@@ -158,10 +159,10 @@ void apply(const Flow& command, const Stage& stage, Fur& fur) {
     std::vector<double> distances;
     for (const Reach& one : reaches) distances.push_back(one.distance[v]);
     const std::vector<double> weights = gaussians(distances, sigma);
-    dvec3 way(0);
-    for (std::size_t k = 0; k < reaches.size(); ++k) way += weights[k] * reaches[k].vector[v];
+    dvec3 direction(0);
+    for (std::size_t k = 0; k < reaches.size(); ++k) direction += weights[k] * reaches[k].vector[v];
     const double lean = command.inclination.value_or(glm::length(fur.direction(v)));
-    const dvec2 after = turned_to(body, v, fur.direction(v), way, lean,
+    const dvec2 after = turned_to(body, v, fur.direction(v), direction, lean,
                                   command.strength * region[v] * share_within_reach(command, body, distances));
     fur.of(Field::direction)[v] = dvec4(after, 0, 0);
   }

@@ -44,8 +44,8 @@ Print between(const StrokeSample& a, const StrokeSample& b, double t, const Stro
   if (std::holds_alternative<SurfaceSample>(a.position) && std::holds_alternative<SurfaceSample>(b.position))
     print.centre = body.surface.position(body.surface.nearest(print.centre));
   print.pressure = (1 - t) * a.pressure + t * b.pressure;
-  const double kept = 1 - brush.pressure_to_radius + brush.pressure_to_radius * print.pressure;
-  print.radius = kept * radius_at(print.centre, stroke, brush, body);
+  const double factor = 1 - brush.pressure_to_radius + brush.pressure_to_radius * print.pressure;
+  print.radius = factor * radius_at(print.centre, stroke, brush, body);
   return print;
 }
 
@@ -106,12 +106,12 @@ std::vector<Print> prints_of(const Stroke& stroke, const Brush& brush, const Bod
     prints.push_back(print);
   };
   for (std::size_t i = 1; i < samples.size() && step > 0; ++i) {
-    const double piece = glm::distance(position_of(samples[i - 1], body), position_of(samples[i], body));
-    for (double k = static_cast<double>(prints.size()) + 1; k * step <= before + piece; ++k) {
-      const double t = std::clamp((k * step - before) / piece, 0.0, 1.0);
+    const double length = glm::distance(position_of(samples[i - 1], body), position_of(samples[i], body));
+    for (double k = static_cast<double>(prints.size()) + 1; k * step <= before + length; ++k) {
+      const double t = std::clamp((k * step - before) / length, 0.0, 1.0);
       put(between(samples[i - 1], samples[i], t, stroke, brush, body), step);
     }
-    before += piece;
+    before += length;
   }
   const double left = before - static_cast<double>(prints.size()) * step;
   if (step > 0 && left > 1e-9 * step) put(between(samples.back(), samples.back(), 0, stroke, brush, body), left);
@@ -130,11 +130,11 @@ double strand_part(const Brush& brush, Field field) {
 double falloff_at(const Brush& brush, double d) {
   if (!(d <= 1)) return 0;
   if (!brush.falloff_points.empty()) {
-    const std::size_t pieces = brush.falloff_points.size() - 1;
-    for (std::size_t k = 0; k < pieces; ++k) {
-      const double from = static_cast<double>(k) / static_cast<double>(pieces);
-      const double to = static_cast<double>(k + 1) / static_cast<double>(pieces);
-      if (d > to && k + 1 < pieces) continue;
+    const std::size_t segments = brush.falloff_points.size() - 1;
+    for (std::size_t k = 0; k < segments; ++k) {
+      const double from = static_cast<double>(k) / static_cast<double>(segments);
+      const double to = static_cast<double>(k + 1) / static_cast<double>(segments);
+      if (d > to && k + 1 < segments) continue;
       return brush.falloff_points[k] +
              (brush.falloff_points[k + 1] - brush.falloff_points[k]) * (d - from) / (to - from);
     }

@@ -96,13 +96,13 @@ std::vector<double> marched_distances(const Body& body, const SurfacePoint& cent
     final[next] = settled[next] = true;
     for (const Vertex to : body.neighbours[next]) {
       if (settled[to]) continue;
-      double way = distances[next] + glm::distance(body.positions[next], body.positions[to]);
+      double length = distances[next] + glm::distance(body.positions[next], body.positions[to]);
       for (const Vertex other : body.neighbours[to]) {
         if (!settled[other] || other == next || !body.neighbours[next].contains(other)) continue;
-        way = std::min(way, over_side(body.positions[next], body.positions[other], body.positions[to], distances[next],
-                                      distances[other]));
+        length = std::min(length, over_side(body.positions[next], body.positions[other], body.positions[to],
+                                            distances[next], distances[other]));
       }
-      if (distances[next] <= radius || way <= radius) distances[to] = std::min(distances[to], way);
+      if (distances[next] <= radius || length <= radius) distances[to] = std::min(distances[to], length);
     }
   }
 }

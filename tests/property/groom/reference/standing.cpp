@@ -47,11 +47,11 @@ std::optional<Standing> standing_of(const Brush& brush, const Stage& stage, cons
 Standing::StrandPoint nearest_of(const Standing::Strand& strand, dvec3 position) {
   Standing::StrandPoint nearest = strand[0];
   for (std::size_t k = 1; k < strand.size(); ++k) {
-    const dvec3 start = strand[k - 1].at, piece = strand[k].at - start;
-    const double square = glm::dot(piece, piece);
+    const dvec3 start = strand[k - 1].at, segment = strand[k].at - start;
+    const double square = glm::dot(segment, segment);
     if (square == 0) continue;
-    const double t = std::clamp(glm::dot(position - start, piece) / square, 0.0, 1.0);
-    const Standing::StrandPoint here{start + t * piece, (1 - t) * strand[k - 1].lift + t * strand[k].lift};
+    const double t = std::clamp(glm::dot(position - start, segment) / square, 0.0, 1.0);
+    const Standing::StrandPoint here{start + t * segment, (1 - t) * strand[k - 1].lift + t * strand[k].lift};
     if (glm::distance(here.at, position) < glm::distance(nearest.at, position)) nearest = here;
   }
   return nearest;

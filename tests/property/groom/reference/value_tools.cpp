@@ -201,15 +201,15 @@ void apply(const Trim& command, const Stage& stage, Fur& fur) {
 
 void apply(const Erase& command, const Stage& stage, Fur& fur) {
   const std::vector<double> region = region_of(command.stroke, command.brush, stage, fur);
-  Fur rest = stage.rest;
-  rest.multiply_colours(), fur.multiply_colours();
+  Fur baseline = stage.baseline;
+  baseline.multiply_colours(), fur.multiply_colours();
   for (std::size_t f = 0; f < field_count; ++f) {
     const Field field = field_at(f);
     const bool named = std::find(command.fields.begin(), command.fields.end(), field) != command.fields.end();
     if (!named && !(command.fields.empty() && field != Field::mask)) continue;
     const double part = strand_part(command.brush, field);
     for (Vertex v = 0; v < stage.body.size(); ++v)
-      fur.of(field)[v] = (1 - part * region[v]) * fur.of(field)[v] + part * region[v] * rest.of(field)[v];
+      fur.of(field)[v] = (1 - part * region[v]) * fur.of(field)[v] + part * region[v] * baseline.of(field)[v];
   }
   fur.divide_colours();
 }

@@ -1,4 +1,4 @@
-#include "server/export/layer_texture.h"
+#include "server/export/shell_texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 
 namespace pelage {
 
-SliceBin bin_of(int layer, int layers) {
-  return {layer * slice_count / layers, (layer + 1) * slice_count / layers, (layer + 0.5) / layers};
+SliceBin bin_of(int shell, int shell_count) {
+  return {shell * slice_count / shell_count, (shell + 1) * slice_count / shell_count, (shell + 0.5) / shell_count};
 }
 
-LayerTexture::LayerTexture(const SliceLevel& level, const SliceBin& bin) : texels_(level.texels) {
+ShellTexture::ShellTexture(const SliceLevel& level, const SliceBin& bin) : texels_(level.texels) {
   const std::size_t count = static_cast<std::size_t>(level.texels) * static_cast<std::size_t>(level.texels);
   opacity_.resize(count), lightness_.resize(count);
   double depths = 0, light = 0;
@@ -34,7 +34,7 @@ LayerTexture::LayerTexture(const SliceLevel& level, const SliceBin& bin) : texel
   for (float& value : lightness_) value = mean > 0 ? value / mean : 1;
 }
 
-Image LayerTexture::image() const {
+Image ShellTexture::image() const {
   Image image{texels_, texels_, {}};
   image.rgba.reserve(4 * opacity_.size());
   const auto byte = [](double value) {

@@ -16,10 +16,10 @@ namespace pelage::testing {
 
 /// Pictures of one request: rasterized strands, shells in both fragment orders, and traced strands with both
 /// transports.
-class BothWays {
+class AovChecker {
  public:
   /// Caps the number of strands on a tile of a coat at `max_count`.
-  explicit BothWays(Renderer& renderer, int max_count = std::numeric_limits<int>::max())
+  explicit AovChecker(Renderer& renderer, int max_count = std::numeric_limits<int>::max())
       : renderer_(renderer), max_count_(max_count) {}
 
   /// Returns the first refusal by drawing or tracing. Adds a line to `complaint` for each picture with a wrong number.
@@ -36,7 +36,7 @@ class BothWays {
 
  private:
   FurFrame sync(Scene& scene, const FrameRequest& request);
-  Status check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint);
+  Status check(Result<std::vector<FloatImage>> images, const char* method, std::string& complaint);
 
   Renderer& renderer_;
   int max_count_;

@@ -1,4 +1,4 @@
-#include "tests/extremes/both_ways.h"
+#include "tests/extremes/aov_checker.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +78,7 @@ MovedDirection moved_of(const SceneView& view, const FrameRequest& request) {
 
 }  // namespace
 
-FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
+FurFrame AovChecker::sync(Scene& scene, const FrameRequest& request) {
   const SnapshotPtr now = scene.snapshot();
   const SceneView view = now->view();
   const std::vector<VertexRange> all = full_vertex_range(view.fields.size());
@@ -89,16 +89,18 @@ FurFrame BothWays::sync(Scene& scene, const FrameRequest& request) {
   return frame;
 }
 
-Result<Image> BothWays::show(Scene& scene, const FrameRequest& request) { return renderer_.draw(sync(scene, request)); }
+Result<Image> AovChecker::show(Scene& scene, const FrameRequest& request) {
+  return renderer_.draw(sync(scene, request));
+}
 
-Result<std::vector<FloatImage>> BothWays::draw(Scene& scene, const FrameRequest& request) {
+Result<std::vector<FloatImage>> AovChecker::draw(Scene& scene, const FrameRequest& request) {
   const FurFrame frame = sync(scene, request);
   if (Result<Image> shown = renderer_.draw(frame); !shown) return shown.status();
   const std::size_t aovs = request.knobs.method == Method::shells ? 2 : all_aovs.size();  // only beauty and alpha
   return renderer_.draw_aovs(frame, std::span(all_aovs).first(aovs));
 }
 
-Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest& request) {
+Result<std::vector<FloatImage>> AovChecker::trace(Scene& scene, const FrameRequest& request) {
   if (Status refused = tracer_.admit(request.width, request.height, traced_aovs, true); !refused.ok()) return refused;
   const SnapshotPtr now = scene.snapshot();
   const SceneView view = now->view();
@@ -120,15 +122,15 @@ Result<std::vector<FloatImage>> BothWays::trace(Scene& scene, const FrameRequest
   return images;
 }
 
-Status BothWays::check(Result<std::vector<FloatImage>> images, const char* way, std::string& complaint) {
+Status AovChecker::check(Result<std::vector<FloatImage>> images, const char* method, std::string& complaint) {
   if (!images) return images.status();
   ++pictures_;
   const std::string found = complaint_about(*images);
-  if (!found.empty()) complaint += std::string(way) + ": " + found + "\n";
+  if (!found.empty()) complaint += std::string(method) + ": " + found + "\n";
   return {};
 }
 
-Status BothWays::look_at(Scene& scene, const FrameRequest& request, std::string& complaint) {
+Status AovChecker::look_at(Scene& scene, const FrameRequest& request, std::string& complaint) {
   Status status = check(draw(scene, rasterized(request)), "raster", complaint);
   for (const FragmentOrder order : {FragmentOrder::four_pass, FragmentOrder::sorted})
     if (status.ok()) status = check(draw(scene, layered(request, order)), "shells", complaint);

@@ -13,14 +13,14 @@ struct SliceBin {
   int first = 0, last = 0;  // [first, last)
   double height = 0;        // s of its middle, (0, 1)
 };
-SliceBin bin_of(int layer, int layers);
+SliceBin bin_of(int shell, int shell_count);
 
 /// The texture of one exported shell: opacity and lightness of its strands.
-class LayerTexture {
+class ShellTexture {
  public:
   static constexpr float headroom = 1.6f;  // maximum lightness of strands, relative to their mean
 
-  LayerTexture(const SliceLevel& level, const SliceBin& bin);
+  ShellTexture(const SliceLevel& level, const SliceBin& bin);
 
   /// Returns the texture. sRGB: lightness divided by the shell's mean and by the headroom, in grey. Alpha: opacity.
   Image image() const;
