@@ -78,7 +78,7 @@ test("an earlier step changes after a dry run, with its stroke as it was, and ca
   const before_try = (await described()).revision;
   await button("Try").click();
   await page.locator(".verdict li").first().waitFor();
-  assert.match(await page.locator(".verdict").innerText(), /Comb: \d+ vertices \(now \d+\+\)/);
+  assert.match(await page.locator(".verdict").innerText(), /Comb: \d+ vertices \(currently \d+\+\)/);
   assert.equal((await described()).revision, before_try, "a dry run changes nothing");
   await button("Apply").click();
   await studio.settled(server, id, before_try + 1);

@@ -69,7 +69,7 @@ class Frames(ServedTest):
                             crop={"left": 40, "top": 20, "width": 90, "height": 70})
         said = read_attributes(frame.body)
         self.assertEqual(said["pelage/revision"], "1")
-        to_camera, to_ndc = (numpy.reshape(said[name], (4, 4)) for name in ("worldtocamera", "worldtoscreen"))
+        to_camera, to_ndc = (numpy.reshape(said[name], (4, 4)) for name in ("worldToCamera", "worldToNDC"))
         numpy.testing.assert_allclose([*camera["position"], 1] @ to_camera, [0, 0, 0, 1], atol=1e-5)
         planes = read_exr(frame.body)
         rows, columns = numpy.nonzero(numpy.isfinite(planes["Z"]))
