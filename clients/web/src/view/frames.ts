@@ -115,9 +115,10 @@ export class FrameLoop {
   private nextStage(now: number): Stage | null {
     const requests = [...this.in_flight];
     if (requests.length >= max_in_flight) return null;
+    const waits = requests.length > 0 && !this.pace.overlaps;  // a second picture would only wait for the first
     const isRequested = (stage: Stage) => requests.some((request) => request.stage === stage && request.state === this.state);
     if (now < this.turning_until) return this.done.turning === this.state || isRequested("turning") ? null : "turning";
-    if (this.done.draft !== this.state) return isRequested("draft") ? null : "draft";
+    if (this.done.draft !== this.state) return isRequested("draft") || waits ? null : "draft";
     if (now < this.moving_until) return null;
     if (this.done.rest !== this.state) return isRequested("rest") ? null : "rest";
     if (!wants_trace.value || this.done.traced === this.state || isRequested("traced")) return null;
@@ -166,9 +167,9 @@ export class FrameLoop {
       if (request.stage === "draft") this.done.draft = request.state;
       return;
     }
-    if (request.stage === "draft") this.pace.note(request.ratio, picture);
-    if (request.number < this.shown_number) return;
     const answered = performance.now();
+    if (request.stage === "draft") this.pace.note(request.ratio, picture, answered - asked);
+    if (request.number < this.shown_number) return;
     const bitmap = await createImageBitmap(picture.bytes);
     if (request.number < this.shown_number || request.stop.signal.aborted) return bitmap.close();  // a newer one was decoded first
     this.shown_number = request.number;

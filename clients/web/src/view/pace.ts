@@ -1,4 +1,5 @@
-// Chooses the size of drafts: the largest that the server draws in time. The picture at rest has full resolution.
+// Chooses the size of drafts, the largest that the server draws in time, and whether two may be in flight. The picture at
+// rest has full resolution.
 import type {Picture} from "../api/client";
 import {millisecondsOf} from "./measured";
 
@@ -11,14 +12,21 @@ export class Pace {
   private size = 1;          // index into sizes; starts small, so that the first picture comes soon
   private drawn = 0;         // number of drafts of this size
   private milliseconds = 0;  // moving average of their times
+  private transit = 0;       // moving average of the rest of the time until they arrived, in ms
 
   get ratio() { return sizes[this.size] ?? 1; }
 
-  /** Records a draft that was requested at `ratio`. Ignores the first one of a size, because it is drawn whole. */
-  note(ratio: number, picture: Picture) {
+  /** True if the server would wait for a request longer than it draws. Only then two drafts in flight make more pictures;
+   * else the second one waits at the server, and what it shows is older when it arrives. */
+  get overlaps() { return this.transit > this.milliseconds; }
+
+  /** Records a draft that was requested at `ratio` and arrived `took` ms later. Ignores the first one of a size, because it
+   * is drawn whole. */
+  note(ratio: number, picture: Picture, took: number) {
     if (ratio !== this.ratio || this.drawn++ === 0) return;
-    const time = millisecondsOf(picture);
+    const time = millisecondsOf(picture), transit = took - time - (picture.timings["queue"] ?? 0);
     this.milliseconds = this.drawn === 2 ? time : 0.7 * this.milliseconds + 0.3 * time;
+    this.transit = this.drawn === 2 ? transit : 0.7 * this.transit + 0.3 * transit;
     if (this.drawn < min_drafts) return;
     if (this.milliseconds > target_ms) this.resize(1);
     else if (this.milliseconds * longer_when_larger < target_ms) this.resize(-1);
