@@ -247,7 +247,8 @@ class MemberReader {
     const bool triangle = object_.has("triangle"), barycentric = object_.has("barycentric");
     if (triangle || barycentric) out = surface_sample(object_), ++forms;
     if (forms != 1)
-      object_.value().refuse("A sample needs one position.", "one of position | screen | triangle with barycentric");
+      object_.value().refuse("A sample needs exactly one form of position.",
+                             "one of position | screen | triangle with barycentric");
   }
 
  private:

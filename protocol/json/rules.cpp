@@ -25,8 +25,9 @@ void check_drawing(const Value& value, const FrameRequest& request) {
   if (method != Method::raster && request.progressive)
     value.refuse_below("progressive", "Progressive pictures begin with rasterized strands.", "method raster");
   const auto names_strands = [](Aov aov) { return aov == Aov::strand || aov == Aov::root; };
-  if (method == Method::strands && std::any_of(request.aovs.begin(), request.aovs.end(), names_strands))
-    value.refuse_below("aovs", "Only rasterized strands have these AOVs.", "method raster");
+  const bool traced = method == Method::strands || request.progressive;
+  if (traced && std::any_of(request.aovs.begin(), request.aovs.end(), names_strands))
+    value.refuse_below("aovs", "Only rasterized strands have these AOVs.", "method raster, without progressive");
   if (method != Method::shells) return;
   if (request.overlay != Overlay::none)
     value.refuse_below("overlay", "Shells have no overlays.", "none, or method raster or strands");
@@ -86,7 +87,7 @@ void check_aovs(const Value& value, const FrameRequest& request) {
   const bool colour_only = request.aovs == std::vector{Aov::beauty};
   const int pictures = std::transform_reduce(request.aovs.begin(), request.aovs.end(), 0, std::plus<>(), pictures_of);
   if (linear && !colour_only && width * height * pictures > limits::aov_pixels) {
-    value.refuse_below("aovs", "The AOVs are too large together.",
+    value.refuse_below("aovs", "The AOVs are too large together: fewer of them, or a smaller picture, would fit.",
                        "drawn pixels x AOVs at most " + std::to_string(limits::aov_pixels));
   }
 }

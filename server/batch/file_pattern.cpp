@@ -17,7 +17,7 @@ Result<FilePattern> FilePattern::create(const std::string& pattern, const std::s
   if (first == std::string::npos) return result;
   const std::size_t last = full_path.find_first_not_of('#', first);
   if (last != std::string::npos && full_path.find('#', last) != std::string::npos)
-    return failure(Code::invalid, "A file name has one run of digits for the frame.", pointer, "one run of #");
+    return failure(Code::invalid, "A file name has one run of # for the number of the frame.", pointer, "one run of #");
   if (last != std::string::npos) result.after_ = full_path.substr(last);
   result.digits_ = std::min(last, full_path.size()) - first;
   return result;

@@ -126,7 +126,7 @@ void read_log(Service& service, const Scene& scene, const Request& request, Resp
   if (!status.ok()) return reply_problem(response, status);
   const std::string format = request.has_param("format") ? request.get_param_value("format") : "json";
   if (format == "json" && request.has_param("for"))
-    return reply_problem(response, failure(Code::invalid, "Only a log in lines can be transferred to another scene.",
+    return reply_problem(response, failure(Code::invalid, "Only the format jsonl can be transferred to another scene.",
                                            "/for", "with format jsonl"));
   if (format == "json") return reply_uncompressed(response, "application/json", encode(Log{scene.log()}));
   if (format != "jsonl") {

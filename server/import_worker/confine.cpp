@@ -88,11 +88,10 @@ bool allow_memory(const Filter& filter) {
   return allow(filter, SCMP_SYS(mmap), {not_executable}) && allow(filter, SCMP_SYS(mprotect), {not_executable});
 }
 
-/// Allows reading the input, and writing the answer and the error output.
+/// Allows writing the answer and the error output.
 bool allow_streams(const Filter& filter) {
   const auto on = [](int stream) { return scmp_arg_cmp{0, SCMP_CMP_EQ, static_cast<scmp_datum_t>(stream), 0}; };
-  return allow(filter, SCMP_SYS(read), {on(STDIN_FILENO)}) && allow(filter, SCMP_SYS(write), {on(STDOUT_FILENO)}) &&
-         allow(filter, SCMP_SYS(write), {on(STDERR_FILENO)});
+  return allow(filter, SCMP_SYS(write), {on(STDOUT_FILENO)}) && allow(filter, SCMP_SYS(write), {on(STDERR_FILENO)});
 }
 
 /// Allows the sanitizers to check whether memory is readable, which they do by writing it to a pipe.

@@ -36,10 +36,10 @@ class ClosedIo : public Assimp::IOSystem {
 
 // Gives up every right that parsing does not need.
 
-/// From this call on the process may only compute, use its three open streams, and exit. Opening files and sockets, and
-/// starting processes and threads, fail with EPERM. The kernel ends it (SIGXCPU) after `seconds` of processor time, and
-/// limits it to `memory_bytes` of address space (not under the sanitizers, which map terabytes). Fails (internal) if
-/// the kernel rejects one of these limits.
+/// From this call on the process may only compute, write its answer and its errors, and exit. Reading anything, opening
+/// files and sockets, and starting processes and threads, fail with EPERM. The kernel ends it (SIGXCPU) after `seconds`
+/// of processor time, and limits it to `memory_bytes` of address space (not under the sanitizers, which map terabytes).
+/// Fails (internal) if the kernel rejects one of these limits.
 Status confine(double seconds, std::size_t memory_bytes);
 
 }  // namespace pelage

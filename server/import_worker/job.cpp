@@ -50,8 +50,10 @@ Result<std::string> read_saved(std::string&& bytes, const std::string&) { return
 bool never(std::string_view) { return false; }
 bool always(std::string_view) { return true; }
 
-/// A glTF lists its pictures under this name. One that spells it with escapes is refused: its pictures need the reader.
-bool names_images(std::string_view bytes) { return bytes.find("\"images\"") != std::string_view::npos; }
+/// A glTF lists its pictures under this name, which it may spell with escapes of letters.
+bool names_images(std::string_view bytes) {
+  return bytes.find("\"images\"") != std::string_view::npos || bytes.find("\\u00") != std::string_view::npos;
+}
 
 /// Indexed by ModelFormat. OBJ, PLY, STL, OFF and 3DS have pictures only in a zip archive.
 template <bool pictures>

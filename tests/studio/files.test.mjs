@@ -247,7 +247,13 @@ test("pictures have the size that was asked for; maps and the log come too", asy
   const box = await studio.page.locator(".surface").boundingBox();
   assert.equal(picture.name, "torus.png");
   assert.deepEqual([picture.bytes.readUInt32BE(16), picture.bytes.readUInt32BE(20)], [2 * Math.round(box.width), 2 * Math.round(box.height)]);
-  assert.equal((await taken("EXR")).bytes.readUInt32LE(0), 0x01312f76);
+  const plain = (await taken("EXR")).bytes;
+  assert.equal(plain.readUInt32LE(0), 0x01312f76);
+  const channels = (exr) => ["A", "R", "Z", "shadow.Y"].filter((name) => [1, 2].some((type) => exr.includes(`\0${name}\0${String.fromCharCode(type)}\0\0\0`)));
+  assert.deepEqual(channels(plain), ["A", "R"]);
+  await studio.page.getByText("AOVs in the EXR").click();
+  for (const name of ["Depth", "Unshadowed share"]) await studio.page.getByLabel(name, {exact: true}).check();
+  assert.deepEqual(channels((await taken("EXR")).bytes), ["A", "R", "Z", "shadow.Y"]);
   await studio.page.getByText("Maps of the groom").click();
   const map = await taken("Map");
   assert.equal(map.name, "torus.length.png");

@@ -98,7 +98,7 @@ test("the list shows scenes by their pictures, and sheets are made at one press"
   await studio.seen("rest");
   await studio.panel("Files");
   await page.locator(".scene-row", {hasText: "besides"}).locator("img").waitFor({timeout: 60000});
-  for (const [button, ending] of [["Contact sheet", "contact sheet.png"], ["Before and after", "before and after.png"], ["besides beside the open scene", "and besides.png"]]) {
+  for (const [button, ending] of [["Contact sheet", "contact sheet.png"], ["Before and after", "before and after.png"], ["Side by side: besides", "and besides.png"]]) {
     await page.getByRole("button", {name: button}).click();
     const picture = page.locator(".sheet img");
     await picture.waitFor({timeout: 90000});

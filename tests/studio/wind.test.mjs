@@ -43,7 +43,7 @@ test("the wind turns about the animal, and keeps how far it blows up", async () 
   const studio = await openStudio({scene: id});
   await studio.ready();
   await studio.panel("Wind");
-  const heading = studio.page.getByLabel("Blows towards its");
+  const heading = studio.page.getByLabel("Wind blows towards the animal's");
   assert.equal(await heading.inputValue(), "90");
   await heading.fill("180");
   await studio.settled(server, id, 2);

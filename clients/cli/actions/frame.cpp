@@ -45,7 +45,7 @@ void print_frame(const Options& options, const HttpAnswer& answer) {
                missed.empty() ? "" : ",\"missed\":" + json_text(missed));
   } else {
     fmt::print("{}: revision {}, {}\n", options.output, revision, timing);
-    if (!missed.empty()) fmt::print("missed: {}\n", missed);
+    if (!missed.empty()) fmt::print("limits not met: {}\n", missed);
   }
 }
 

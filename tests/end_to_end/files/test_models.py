@@ -15,7 +15,7 @@ EQUAL = [("spot.obj", "spot.ply", "spot.glb"), ("cat.obj", "cat_ascii.ply"), ("k
          ("goathead.obj", "goathead.stl"), ("spot_low.gltf", "spot_low_ascii.stl")]
 # Quads are two triangles and pentagons three; counts of the table are in faces and unwelded vertices.
 LARGE = "koala.ply"
-# These stand for all glTF files, each of which starts a program that can read pictures.
+# These stand for all nasty glTF files, each of which starts a program.
 NASTY_GLTF = ("BoxBadNormals.glb", "MissingBin.gltf", "derived_fox_truncated.glb")
 COUNTS = {"spot_control_mesh.obj": (188, 4 + 160 * 2 + 16 * 3), "spot.glb": (2930, 5856), "Fox.glb": (None, 576)}
 

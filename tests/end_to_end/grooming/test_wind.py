@@ -95,7 +95,7 @@ class Wind(ServedTest):
         def moved(*commands):
             scene = self.scene(BREEZE, *commands)
             first, later = (scene.frame(**SIZE, time=time).image.astype(float) for time in (2, 4.5))
-            blocks = (first - later).reshape(24, 4, 24, 4, -1).mean(axis=(1, 3))  # a pixel that strands pass shows no distance
+            blocks = (first - later).reshape(24, 4, 24, 4, -1).mean(axis=(1, 3))  # strands that cross a pixel do not show how far they moved
             return numpy.abs(blocks).mean()
 
         paint = {"op": "paint", "flood": True, "field": "stiffness", "brush": {"strength": 1}}

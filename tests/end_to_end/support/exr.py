@@ -20,9 +20,13 @@ def opened(content):
 
 
 def read_attributes(content):
-    """The header's attributes by OpenImageIO's names."""
+    """The header's attributes by OpenImageIO's names, with the windows and the channels."""
     with opened(content) as picture:
-        return {attribute.name: attribute.value for attribute in picture.spec().extra_attribs}
+        spec = picture.spec()
+        return {"dataWindow": (spec.x, spec.y, spec.width, spec.height),
+                "displayWindow": (spec.full_x, spec.full_y, spec.full_width, spec.full_height),
+                "channels": [(name, str(spec.channelformat(k))) for k, name in enumerate(spec.channelnames)],
+                **{attribute.name: attribute.value for attribute in spec.extra_attribs}}
 
 
 def read_exr(content):

@@ -17,7 +17,7 @@ Command empty_tool(std::size_t tool);
 
 /// How far numbers go: `ordinary` ones lie well inside their ranges, `extreme` ones are often at an end.
 enum class Numbers { ordinary, extreme };
-/// The strokes with a view, which may have pixel radii and the screen shape: none or some.
+/// How many strokes have a view, which pixel radii and the screen shape need.
 enum class Views { none, some };
 
 class CommandMaker {

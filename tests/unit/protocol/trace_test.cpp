@@ -179,6 +179,15 @@ TEST(Trace, OverlaysLieOnStrandsAlone) {
   expect_frame_refusal(shells + R"("format": "exr", "aovs": ["beauty", "depth"]})", "/aovs");
 }
 
+TEST(Trace, OnlyRasterizedStrandsHaveNumbersAndRoots) {
+  for (const std::string aov : {"strand", "root"}) {
+    const std::string exr = R"({"format": "exr", "aovs": ["beauty", ")" + aov + R"("])";
+    EXPECT_TRUE(frame_refusal(exr + R"(, "progressive": false})").ok());
+    expect_frame_refusal(exr + R"(, "quality": "reference"})", "/aovs");
+    expect_frame_refusal(exr + R"(, "progressive": {}})", "/aovs");
+  }
+}
+
 TEST(Trace, ComesBackThroughEncode) {
   FrameRequest strands;
   strands.knobs = knobs_of(Tier::reference);

@@ -54,7 +54,7 @@ function loadModel({service, schemas}: Context): Tool {
       const scene = await service.put<Scene>(`${at}/model?${query}`, await bytesOf(file), caller);
       const repairs = scene.repairs.map(({code, count}) => `${code}: ${count}`);
       const repaired = repairs.length > 0 ? [`Repaired: ${repairs.join(", ")}.`] : [];
-      const transfer = scene.carried ? [`The groom was transferred: ${scene.carried.far} of ${scene.carried.vertices} vertices lie far from the previous model. Scene ${scene.carried.before} is a copy of this one before the load.`] : [];
+      const transfer = scene.carried ? [`The groom was transferred: ${scene.carried.far} of ${scene.carried.vertices} vertices lie far from the previous model. Scene ${scene.carried.before} is a copy of this one as it was before the load.`] : [];
       const next = "Next: `views`. If the model does not stand upright facing +z, load it again with up and front.";
       return result([sceneInWords(scene), ...repaired, ...transfer, next].join("\n"), scene);
     },

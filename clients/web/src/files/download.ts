@@ -5,7 +5,7 @@ import {page_id} from "../api/identity";
 import type {FrameRequest, Scene} from "../api/types";
 import {sayError} from "../scene/messages";
 import {scene} from "../scene/session";
-import {words} from "../tools/schema";
+import {schemas, words} from "../tools/schema";
 import type {Values} from "../tools/state";
 import {orbit, pinholeOf} from "../view/camera";
 import {outdated, shown} from "../view/frames";
@@ -78,12 +78,19 @@ function seenPicture({width, height}: {width: number; height: number}): Blob | n
   return stage === "rest" || stage === "traced" ? picture.bytes : null;
 }
 
-export const downloadPicture = (format: "png" | "exr", size: Size, transparent: boolean) => make("Drawing the picture", async (open, stop) => {
+const isFinal = () => dial.value.kind === "tier" && dial.value.tier === "reference";
+
+/** Returns the names of the AOVs that an EXR of the dial's quality can hold beside the picture. */
+export const aovNames = () => (schemas.value["Aov"]?.enum ?? []).map(String).filter((name) => name !== "beauty" && !(isFinal() && ["strand", "root"].includes(name)));
+
+/** Downloads the picture of the view; an EXR holds `aovs` beside it. */
+export const downloadPicture = (format: "png" | "exr", size: Size, {transparent = false, aovs = []}: {transparent?: boolean; aovs?: string[]} = {}) => make("Drawing the picture", async (open, stop) => {
   const seen = format === "png" && !transparent ? seenPicture(pixelsOf(size)) : null;
   if (seen) return save(seen, fileName(open, format));
   const shared = format === "exr" ? plain_request.value : shared_request.value;  // an EXR has no overlay
   const request: FrameRequest = {...shared, ...rest_quality.value, ...pixelsOf(size), camera: pinholeOf(orbit.value), view: `${page_id}-file`, format};
   if (transparent) request.background = "transparent";
+  if (aovs.length) request.aovs = ["beauty", ...aovs] as FrameRequest["aovs"];
   const picture = await draw(open, request, "Drawing the picture", stop);
   if (picture) save(picture.bytes, fileName(open, format));
 });

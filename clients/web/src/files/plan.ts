@@ -47,7 +47,7 @@ async function pack(model: InputFile, all: InputFile[]): Promise<Blob> {
 
 export async function planOf(all: InputFile[]): Promise<Plan> {
   const {model, others} = chooseModel(all);
-  if (!model) throw new PlanError("There is no model among these files.", `Names of models end in ${model_endings.map((one) => `.${one}`).join(", ")}; recipes in .json or .jsonl.`);
+  if (!model) throw new PlanError("There is no model among these files.", `Model files end in ${model_endings.map((one) => `.${one}`).join(", ")}; recipe files end in .json or .jsonl.`);
   const ending = endingOf(model.path) as ModelFormat;
   const notes = others > 0 ? [`${others + 1} models were dropped: ${model.file.name} is used.`] : [];
   const bytes = ending === "gltf" ? await pack(model, all) : model.file;

@@ -47,7 +47,7 @@ async function namesOf(model: InputFile, all: InputFile[], notes: string[]): Pro
 /** Returns the only dropped picture, for a model whose materials reference none or were not dropped. */
 async function onlyPicture(all: InputFile[], notes: string[]): Promise<Texture> {
   const pictures = all.filter(({path}) => skin_endings.test(path));
-  if (pictures.length > 1) notes.push(`${pictures.length} pictures were dropped, but no material uses one: after the upload, drop the model's texture again.`);
+  if (pictures.length > 1) notes.push(`You added ${pictures.length} pictures, but no material names one: after the upload, drop the right one on the model.`);
   if (pictures.length !== 1) return {picture: null, notes};
   const {picture, note} = await fitting(pictures[0]!.file);
   return {picture, notes: [...notes, note || `${pictures[0]!.file.name} was dropped with the model and becomes its texture.`]};

@@ -2,15 +2,16 @@
 import {signal} from "@preact/signals";
 import {useId} from "preact/hooks";
 import {storedSignal} from "../api/identity";
-import {downloadLog, downloadMap, downloadPicture, downloadRecipe, making, pixelsOf, sizes, type Size} from "../files/download";
+import {aovNames, downloadLog, downloadMap, downloadPicture, downloadRecipe, making, pixelsOf, sizes, type Size} from "../files/download";
 import {beforeAndAfter, contactSheet, turntable} from "../files/sheets";
 import {scene} from "../scene/session";
 import {Form} from "../tools/form";
-import {membersOf, schemas} from "../tools/schema";
+import {membersOf, schemas, words} from "../tools/schema";
 import type {Values} from "../tools/state";
 
 const size = storedSignal<Size>("picture-size", "1x");
 const transparent = storedSignal("picture-transparent", false);
+const aovs = storedSignal<string[]>("picture-aovs", []);
 const map = signal<Values>({field: "length"});
 
 function Progress() {
@@ -22,6 +23,23 @@ function Progress() {
       <progress aria-label={now.says} max={1} {...(now.share === null ? {} : {value: now.share})} />
       <button type="button" onClick={() => now.stop.abort()}>Stop</button>
     </div>
+  );
+}
+
+const chosenAovs = () => aovNames().filter((name) => aovs.value.includes(name));
+
+/** Chooses the AOVs that an EXR holds beside the picture. */
+function Aovs() {
+  const now = chosenAovs();
+  const choose = (name: string, on: boolean) => { aovs.value = on ? [...aovs.value, name] : aovs.value.filter((one) => one !== name); };
+  return (
+    <details class="group">
+      <summary>AOVs in the EXR{now.length > 0 ? `: ${now.length}` : ""}</summary>
+      <p class="help">Extra channels for compositing. Final has neither Strand number nor Root position.</p>
+      {aovNames().map((name) => (
+        <label key={name} class="check"><input type="checkbox" checked={now.includes(name)} onChange={(event) => choose(name, event.currentTarget.checked)} /> {words(name)}</label>
+      ))}
+    </details>
   );
 }
 
@@ -38,9 +56,10 @@ function Pictures({busy}: {busy: boolean}) {
       <div class="row"><label for={`${id}t`}>Transparent</label><input id={`${id}t`} type="checkbox" checked={transparent.value} onChange={(event) => { transparent.value = event.currentTarget.checked; }} /></div>
       <p class="help">The picture has {width} x {height} pixels and the quality of the dial. EXR has linear light and no background.</p>
       <div class="pair">
-        <button type="button" disabled={busy} onClick={() => void downloadPicture("png", size.value, transparent.value)}>PNG</button>
-        <button type="button" disabled={busy} onClick={() => void downloadPicture("exr", size.value, true)}>EXR</button>
+        <button type="button" disabled={busy} onClick={() => void downloadPicture("png", size.value, {transparent: transparent.value})}>PNG</button>
+        <button type="button" disabled={busy} onClick={() => void downloadPicture("exr", size.value, {transparent: true, aovs: chosenAovs()})}>EXR</button>
       </div>
+      <Aovs />
     </>
   );
 }

@@ -44,7 +44,7 @@ function Turn() {
       <div class="pair">
         {turns.map((turn) => <button key={turn.says} type="button" title={turn.title} onClick={() => void turnModel(turn)}>{turn.says}</button>)}
       </div>
-      <p class="help">Each press turns the model by 90 degrees, with its fur, mask, layers and eyes. This cannot be undone, nor can the steps before it.</p>
+      <p class="help">Each press turns the model by 90 degrees, with its fur, mask, layers and eyes. Afterwards neither the turn nor earlier steps can be undone.</p>
     </details>
   );
 }

@@ -11,7 +11,7 @@ const repair_words: Record<string, string> = {
   welded_vertices: "duplicate positions were merged", flipped_triangles: "triangles were flipped to face outwards", split_polygons: "polygons were split into triangles",
   invalid_faces: "faces without valid vertices were left out", degenerate_faces: "faces without area were left out", repeated_faces: "duplicate faces were left out",
   unused_vertices: "vertices without a face were left out", open_edges: "edges are open: the model has holes", non_manifold_edges: "edges have more than two faces",
-  one_sided_edges: "edges join faces that face opposite sides", bad_indices: "faces name vertices that the file does not have",
+  one_sided_edges: "edges join a face that points outwards with one that points inwards", bad_indices: "faces name vertices that the file does not have",
   unusable_uvs: "triangles have unusable texture coordinates", ignored_extensions: "extensions of the file were ignored",
   mirrored_joints: "joints mirror their skin: its faces were flipped",
 };

@@ -68,7 +68,7 @@ function Skin({now}: {now: Look}) {
     <section>
       <h2>Skin</h2>
       <Form members={colour} values={now} set={(name, value, done) => look.set({...now, [name]: value} as Look, done)} />
-      <p class="help">{own ? "A picture can be the model's texture, if the model has texture coordinates." : "A picture is the model's texture."}</p>
+      <p class="help">{own ? "A model with texture coordinates can wear a picture." : "The model shows your picture."}</p>
       <FileButton accept="image/*" take={takePicture}>Skin texture…</FileButton>
       {!own && <button type="button" onClick={() => void run({op: "set_skin_texture", picture: "own"})}>Remove the picture</button>}
     </section>

@@ -88,8 +88,8 @@ export function MaskSection() {
         <button type="button" class="chip" aria-pressed={masked.value} title="Shows only what tools may change (Shift+M)" onClick={toggleMasked}>Hide the rest</button></div>
       <div class="mask-buttons">
         <span>Paint</span>
-        <button type="button" aria-pressed={paints(0)} title="Paint where tools change nothing" onClick={() => paint(0)}>Protect</button>
-        <button type="button" aria-pressed={paints(1)} title="Paint where tools may change the fur" onClick={() => paint(1)}>Free</button>
+        <button type="button" aria-pressed={paints(0)} title="Paint areas that tools leave unchanged" onClick={() => paint(0)}>Protect</button>
+        <button type="button" aria-pressed={paints(1)} title="Paint areas that tools may change" onClick={() => paint(1)}>Free</button>
         <button type="button" title="Limits tools to one part of the model" onClick={choosePart}>A part…</button>
       </div>
       <Materials />

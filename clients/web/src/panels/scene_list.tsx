@@ -58,7 +58,7 @@ function Row({of}: {of: Scene}) {
         <span>{now.name}</span><small>{now.model}, {now.triangles.toLocaleString()} triangles</small>
       </button>
       <div class="scene-acts">
-        {!open && scene.value && <button type="button" class="quiet" aria-label={`${of.name} beside the open scene`} disabled={making.value !== null} onClick={() => void sideBySide(of)}>Side by side</button>}
+        {!open && scene.value && <button type="button" class="quiet" aria-label={`Side by side: ${of.name} and the open scene`} disabled={making.value !== null} onClick={() => void sideBySide(of)}>Side by side</button>}
         <button type="button" class="quiet" aria-label={`Branch ${of.name}`} onClick={guarded(() => branch(of))}>Branch</button>
         <button type="button" class="quiet" aria-label={`Link to ${of.name}`} onClick={guarded(() => share(of))}>Link</button>
         <button type="button" class="quiet" aria-label={`Remove ${of.name}`} onClick={() => { removing.value = of; }}>Remove</button>

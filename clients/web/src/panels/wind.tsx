@@ -48,7 +48,7 @@ function Heading({now}: {now: Wind}) {
   };
   return (
     <div class="row">
-      <label for={id}>Blows towards its</label>
+      <label for={id}>Wind blows towards the animal's</label>
       <input id={id} type="range" min="-180" max="180" step="1" value={degrees} aria-valuetext={sides[(Math.round(degrees / 45) + 8) % 8]}
              onInput={(event) => turn(Number(event.currentTarget.value), false)} onChange={(event) => turn(Number(event.currentTarget.value), true)} />
       <output>{sides[(Math.round(degrees / 45) + 8) % 8]}</output>

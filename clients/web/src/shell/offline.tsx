@@ -5,7 +5,7 @@ const counted = (count: number) => (count === 1 ? "1 change is" : `${count} chan
 
 function wordsOf(count: number): string {
   if (count === 0) return "Nothing is lost.";
-  if (storage_works.value) return `${counted(count)} kept in this browser and will be sent when it is back.`;
+  if (storage_works.value) return `${counted(count)} kept in this browser and will be sent when the server answers again.`;
   return `${counted(count)} waiting in this page. Leave it open: this browser cannot store any more.`;
 }
 

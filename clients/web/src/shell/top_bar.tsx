@@ -28,7 +28,7 @@ export function TopBar() {
       <span class="grow" />
       <DialControl />
       <button type="button" aria-label="Download PNG" title="Download the picture as on the screen; the Files panel has other sizes and formats" disabled={!open || making.value !== null}
-              onClick={() => void downloadPicture("png", "1x", false)}><Icon sign="download" /><span class="word">{making.value ? "Wait" : "PNG"}</span></button>
+              onClick={() => void downloadPicture("png", "1x")}><Icon sign="download" /><span class="word">{making.value ? "Wait" : "PNG"}</span></button>
       {unsent.value > 3 && <span class="unsent" role="status">Sending {unsent.value} changes</span>}
       <label class="author" title="Others see this name beside your edits"><Icon sign="people" />
         <input type="text" aria-label="Your name" value={author.value} maxLength={40} size={Math.max(6, author.value.length)}

@@ -29,7 +29,7 @@ export const handWords: Partial<Record<Op, string>> = {
   blow: "Drag over the fur: the wind blows away from the view.",
   attract: "Press on the fur, drag away and let go.",
   part: "Drag along the line of the parting.",
-  whorl: "Drag where the fur should turn.",
+  whorl: "Press at the centre of the whorl, or draw a line.",
 };
 
 /** Settings that are always visible; the others are in a collapsed group. */
@@ -42,7 +42,7 @@ export const firstMembers: Partial<Record<Op, string[]>> = {
 export const memberNames: Record<string, string> = {
   sigma: "Blend width", t: "Amount per pass", keep_inclination: "Keep the lean", inclination: "Lean", lean: "Lean",
   feature_size: "Grain size", max_stretch: "Maximum stretch", mean: "Even out", weight: "Amount", passes: "Passes", falloff_shape: "Brush shape", falloff: "Falloff",
-  front_faces_only: "Front faces only", cut_off_degrees: "Front faces up to", pressure_to_radius: "Pen sets radius", pressure_to_strength: "Pen sets strength",
+  front_faces_only: "Front faces only", cut_off_degrees: "Largest angle to the view", pressure_to_radius: "Pen sets radius", pressure_to_strength: "Pen sets strength",
   strand_from: "Along strands, from", strand_to: "Along strands, to", crease_degrees: "Sharp edges from", two_sided: "Two-sided parts",
   fur_patches: "Fur layout", harmonics: "Light from all around", longitudinal_roughness: "Roughness along", azimuthal_roughness: "Roughness around",
   refractive_index: "Refractive index", eumelanin: "Brown-black pigment", pheomelanin: "Red-blond pigment", caustic_width: "Width of glints",
@@ -51,6 +51,6 @@ export const memberNames: Record<string, string> = {
 
 /** Names of choices. */
 export const choiceNames: Record<string, string> = {
-  straight: "In a straight line", dijkstra: "Along the skin", heat: "Along the skin, smooth", volume: "Ball", surface: "Along the skin", screen: "Circle on the screen",
-  lengyel: "First fur shells", scale: "Scale", jitter: "Random", bare: "Bare skin", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",
+  straight: "In a straight line", dijkstra: "Along the skin", heat: "Along the skin, smooth", volume: "Ball", surface: "Disc on the skin", screen: "Circle on the screen",
+  lengyel: "First fur shells", scale: "Scale", jitter: "Random", direct: "Direct light", shadow: "Unshadowed share", root: "Root position", strand: "Strand number", sample_count: "Samples", bare: "Bare skin", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",
 };

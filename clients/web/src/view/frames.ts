@@ -44,8 +44,9 @@ export const pending = computed(() => {
 const moving: Partial<FrameRequest> = {format: "jpeg"};
 export const tracing = {passes: 64, noise: 0.004} satisfies FrameRequest["progressive"];
 
-/** A request in flight. The server draws only the newest frame of a view, so each request uses a view of its own, by `slot`. */
-interface InFlightRequest { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; stop: AbortController }
+/** A request in flight. The server draws only the newest frame of a view, so each request uses a view of its own, by `slot`.
+ * `waits`: it may wait at the server for a part of a stroke. */
+interface InFlightRequest { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; waits: boolean; stop: AbortController }
 
 export class FrameLoop {
   private asked = 0;
@@ -57,7 +58,7 @@ export class FrameLoop {
   private blocked_until = 0;
   private passes = 0;
   private pace = new Pace();
-  private news = false;
+  private news: number | null = null;  // the revision before the oldest part of a stroke that no draft was requested for
   private timer = 0;
   private pump_planned = false;
   private in_flight = new Set<InFlightRequest>();
@@ -72,7 +73,7 @@ export class FrameLoop {
   touch({moving = false, turning = false, news = false} = {}) {
     wanted.value = this.state + 1;
     this.passes = 0;
-    this.news ||= news;
+    if (news) this.news ??= this.view_state()?.revision ?? null;
     if (moving || turning) this.moving_until = performance.now() + rest_after;
     if (turning) this.turning_until = this.moving_until;
     for (const request of this.in_flight) if (request.stage === "rest" || request.stage === "traced") request.stop.abort();
@@ -132,11 +133,13 @@ export class FrameLoop {
 
   private async request(stage: Stage, view_state: ViewState) {
     const ratio = stage === "draft" ? this.pace.ratio : stage === "turning" ? 1 : view_state.ratio;
-    const request: InFlightRequest = {number: ++this.asked, scene: view_state.scene, state: this.state, stage, orbit: view_state.orbit, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
+    const request: InFlightRequest = {number: ++this.asked, scene: view_state.scene, state: this.state, stage, orbit: view_state.orbit, slot: this.freeSlot(), dial: dial.value, ratio, waits: false, stop: new AbortController()};
     this.in_flight.add(request);
     const asked = performance.now();
     try {
-      const picture = await drawFrame(view_state.scene, this.requestOf(request, view_state), this.newsOf(stage, view_state), request.stop.signal);
+      const news = this.newsOf(stage, view_state);
+      request.waits = news !== null;
+      const picture = await drawFrame(view_state.scene, this.requestOf(request, view_state), news, request.stop.signal);
       await this.receive(request, picture, asked);
     } catch (error) {
       this.fail(request, error);
@@ -157,9 +160,10 @@ export class FrameLoop {
 
   private newsOf(stage: Stage, view_state: ViewState): FrameNews | null {
     if (stage === "traced") return {after: view_state.revision, after_pass: this.passes, wait: trace_wait};
-    if (stage !== "draft" || !this.news) return null;
-    this.news = false;
-    return {after: view_state.revision, wait: news_wait};
+    if (stage !== "draft") return null;
+    const after = this.news;
+    this.news = null;
+    return after === view_state.revision ? {after, wait: news_wait} : null;  // else the part is there already
   }
 
   private async receive(request: InFlightRequest, picture: Picture | null, asked: number) {
@@ -168,7 +172,7 @@ export class FrameLoop {
       return;
     }
     const answered = performance.now();
-    if (request.stage === "draft") this.pace.note(request.ratio, picture, answered - asked);
+    if (request.stage === "draft") this.pace.note(request.ratio, picture, request.waits ? null : answered - asked);
     if (request.number < this.shown_number) return;
     const bitmap = await createImageBitmap(picture.bytes);
     if (request.number < this.shown_number || request.stop.signal.aborted) return bitmap.close();  // a newer one was decoded first

@@ -16,17 +16,17 @@ export class Pace {
 
   get ratio() { return sizes[this.size] ?? 1; }
 
-  /** True if the server would wait for a request longer than it draws. Only then two drafts in flight make more pictures;
-   * else the second one waits at the server, and what it shows is older when it arrives. */
-  get overlaps() { return this.transit > this.milliseconds; }
+  /** True if two drafts may be in flight: they show the hand sooner where the line takes over two thirds of the time that
+   * the server draws. On a faster line the second one would wait at the server, and be older when it arrives. */
+  get overlaps() { return 3 * this.transit > 2 * this.milliseconds; }
 
-  /** Records a draft that was requested at `ratio` and arrived `took` ms later. Ignores the first one of a size, because it
-   * is drawn whole. */
-  note(ratio: number, picture: Picture, took: number) {
+  /** Records a draft that was requested at `ratio` and arrived `took` ms later; null if it waited for a stroke. Ignores the
+   * first one of a size, because it is drawn whole. */
+  note(ratio: number, picture: Picture, took: number | null) {
     if (ratio !== this.ratio || this.drawn++ === 0) return;
-    const time = millisecondsOf(picture), transit = took - time - (picture.timings["queue"] ?? 0);
+    const time = millisecondsOf(picture);
     this.milliseconds = this.drawn === 2 ? time : 0.7 * this.milliseconds + 0.3 * time;
-    this.transit = this.drawn === 2 ? transit : 0.7 * this.transit + 0.3 * transit;
+    if (took !== null) this.transit = 0.7 * this.transit + 0.3 * (took - time - (picture.timings["queue"] ?? 0));
     if (this.drawn < min_drafts) return;
     if (this.milliseconds > target_ms) this.resize(1);
     else if (this.milliseconds * longer_when_larger < target_ms) this.resize(-1);
