@@ -44,9 +44,8 @@ export const pending = computed(() => {
 const moving: Partial<FrameRequest> = {format: "jpeg"};
 export const tracing = {passes: 64, noise: 0.004} satisfies FrameRequest["progressive"];
 
-/** A request in flight. The server draws only the newest frame of a view, so each request uses a view of its own, by `slot`.
- * `waits`: it may wait at the server for a part of a stroke. */
-interface InFlightRequest { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; waits: boolean; stop: AbortController }
+/** A request in flight. The server draws only the newest frame of a view, so each request uses a view of its own, by `slot`. */
+interface InFlightRequest { number: number; scene: string; state: number; stage: Stage; orbit: Orbit; slot: number; dial: Dial; ratio: number; stop: AbortController }
 
 export class FrameLoop {
   private asked = 0;
@@ -116,10 +115,9 @@ export class FrameLoop {
   private nextStage(now: number): Stage | null {
     const requests = [...this.in_flight];
     if (requests.length >= max_in_flight) return null;
-    const waits = requests.length > 0 && !this.pace.overlaps;  // a second picture would only wait for the first
     const isRequested = (stage: Stage) => requests.some((request) => request.stage === stage && request.state === this.state);
     if (now < this.turning_until) return this.done.turning === this.state || isRequested("turning") ? null : "turning";
-    if (this.done.draft !== this.state) return isRequested("draft") || waits ? null : "draft";
+    if (this.done.draft !== this.state) return isRequested("draft") ? null : "draft";
     if (now < this.moving_until) return null;
     if (this.done.rest !== this.state) return isRequested("rest") ? null : "rest";
     if (!wants_trace.value || this.done.traced === this.state || isRequested("traced")) return null;
@@ -133,13 +131,11 @@ export class FrameLoop {
 
   private async request(stage: Stage, view_state: ViewState) {
     const ratio = stage === "draft" ? this.pace.ratio : stage === "turning" ? 1 : view_state.ratio;
-    const request: InFlightRequest = {number: ++this.asked, scene: view_state.scene, state: this.state, stage, orbit: view_state.orbit, slot: this.freeSlot(), dial: dial.value, ratio, waits: false, stop: new AbortController()};
+    const request: InFlightRequest = {number: ++this.asked, scene: view_state.scene, state: this.state, stage, orbit: view_state.orbit, slot: this.freeSlot(), dial: dial.value, ratio, stop: new AbortController()};
     this.in_flight.add(request);
     const asked = performance.now();
     try {
-      const news = this.newsOf(stage, view_state);
-      request.waits = news !== null;
-      const picture = await drawFrame(view_state.scene, this.requestOf(request, view_state), news, request.stop.signal);
+      const picture = await drawFrame(view_state.scene, this.requestOf(request, view_state), this.newsOf(stage, view_state), request.stop.signal);
       await this.receive(request, picture, asked);
     } catch (error) {
       this.fail(request, error);
@@ -171,9 +167,9 @@ export class FrameLoop {
       if (request.stage === "draft") this.done.draft = request.state;
       return;
     }
-    const answered = performance.now();
-    if (request.stage === "draft") this.pace.note(request.ratio, picture, request.waits ? null : answered - asked);
+    if (request.stage === "draft") this.pace.note(request.ratio, picture);
     if (request.number < this.shown_number) return;
+    const answered = performance.now();
     const bitmap = await createImageBitmap(picture.bytes);
     if (request.number < this.shown_number || request.stop.signal.aborted) return bitmap.close();  // a newer one was decoded first
     this.shown_number = request.number;

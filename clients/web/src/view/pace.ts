@@ -1,5 +1,4 @@
-// Chooses the size of drafts, the largest that the server draws in time, and whether two may be in flight. The picture at
-// rest has full resolution.
+// Chooses the size of drafts: the largest that the server draws in time. The picture at rest has full resolution.
 import type {Picture} from "../api/client";
 import {millisecondsOf} from "./measured";
 
@@ -12,21 +11,14 @@ export class Pace {
   private size = 1;          // index into sizes; starts small, so that the first picture comes soon
   private drawn = 0;         // number of drafts of this size
   private milliseconds = 0;  // moving average of their times
-  private transit = 0;       // moving average of the rest of the time until they arrived, in ms
 
   get ratio() { return sizes[this.size] ?? 1; }
 
-  /** True if two drafts may be in flight: they show the hand sooner where the line takes over two thirds of the time that
-   * the server draws. On a faster line the second one would wait at the server, and be older when it arrives. */
-  get overlaps() { return 3 * this.transit > 2 * this.milliseconds; }
-
-  /** Records a draft that was requested at `ratio` and arrived `took` ms later; null if it waited for a stroke. Ignores the
-   * first one of a size, because it is drawn whole. */
-  note(ratio: number, picture: Picture, took: number | null) {
+  /** Records a draft that was requested at `ratio`. Ignores the first one of a size, because it is drawn whole. */
+  note(ratio: number, picture: Picture) {
     if (ratio !== this.ratio || this.drawn++ === 0) return;
     const time = millisecondsOf(picture);
     this.milliseconds = this.drawn === 2 ? time : 0.7 * this.milliseconds + 0.3 * time;
-    if (took !== null) this.transit = 0.7 * this.transit + 0.3 * (took - time - (picture.timings["queue"] ?? 0));
     if (this.drawn < min_drafts) return;
     if (this.milliseconds > target_ms) this.resize(1);
     else if (this.milliseconds * longer_when_larger < target_ms) this.resize(-1);
