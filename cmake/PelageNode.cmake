@@ -28,6 +28,22 @@ function(pelage_npm_packages NAME WHAT)
   set(${NAME}_STAMP ${STAMP} PARENT_SCOPE)
 endfunction()
 
+# pelage_check_types(NAME DEPENDS file...): adds a target that checks this folder's TypeScript against the contract. It is a part of
+# `all`, and no program waits for it.
+function(pelage_check_types NAME)
+  cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
+  set(CONTRACT ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/openapi.json)
+  set(CHECK ${CMAKE_SOURCE_DIR}/cmake/check_types.mjs)
+  set(STAMP ${CMAKE_CURRENT_BINARY_DIR}/types.stamp)
+  add_custom_command(
+    OUTPUT ${STAMP}
+    COMMAND ${PELAGE_NODE} ${CHECK} ${CONTRACT} ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_BINARY_DIR}
+    COMMAND ${CMAKE_COMMAND} -E touch ${STAMP}
+    DEPENDS ${ARG_DEPENDS} ${CONTRACT} ${CHECK} tsconfig.json
+    COMMENT "Checking types of ${CMAKE_CURRENT_SOURCE_DIR}" VERBATIM)
+  add_custom_target(${NAME} ALL DEPENDS ${STAMP})
+endfunction()
+
 # Adds a test NAME that runs Node with the remaining arguments in this folder, for at most TIMEOUT seconds.
 function(pelage_node_test NAME TIMEOUT)
   add_test(NAME ${NAME} COMMAND ${PELAGE_NODE} ${ARGN} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})

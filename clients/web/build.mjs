@@ -1,6 +1,5 @@
-// Builds the studio: generates types from the contract, checks types, bundles with hashed names, compresses each file.
-// usage: node build.mjs CONTRACT_JSON OUT     writes OUT/contract.d.ts and OUT/dist/
-import {execFileSync} from "node:child_process";
+// Builds the studio: bundles with hashed names, compresses each file. Types are checked by cmake/check_types.mjs.
+// usage: node build.mjs OUT     writes OUT/dist/
 import {mkdirSync, readFileSync, rmSync, writeFileSync} from "node:fs";
 import {basename, dirname, join, resolve} from "node:path";
 import {fileURLToPath} from "node:url";
@@ -8,29 +7,11 @@ import * as esbuild from "esbuild";
 import {compress} from "../../cmake/compress.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const [contract, out] = process.argv.slice(2).map((path) => resolve(path));
-if (!contract || !out) {
-  console.error("usage: node build.mjs CONTRACT_JSON OUT");
+if (!process.argv[2]) {
+  console.error("usage: node build.mjs OUT");
   process.exit(2);
 }
-const dist = join(out, "dist");
-const run = (program, ...words) => execFileSync(process.execPath, [join(here, "node_modules", program), ...words], {cwd: here, stdio: ["ignore", "ignore", "inherit"]});
-
-/** Generates the contract's types and runs the type check, which fails if the studio does not fit the contract. */
-function checkTypes() {
-  try {
-    run("openapi-typescript/bin/cli.js", contract, "--output", join(out, "contract.d.ts"), "--default-non-nullable=false");
-  } catch {
-    throw new Error("the contract cannot be turned into types");
-  }
-  const config = join(out, "tsconfig.json");
-  writeFileSync(config, JSON.stringify({
-    extends: join(here, "tsconfig.json"),
-    compilerOptions: {paths: {contract: [join(out, "contract.d.ts")]}, typeRoots: [join(here, "node_modules/@types")]},
-    include: [join(here, "src")],
-  }));
-  execFileSync(process.execPath, [join(here, "node_modules/typescript/bin/tsc"), "--project", config], {stdio: "inherit"});
-}
+const dist = join(resolve(process.argv[2]), "dist");
 
 async function bundle() {
   return esbuild.build({
@@ -57,7 +38,6 @@ function writePage(outputs) {
 rmSync(dist, {recursive: true, force: true});
 mkdirSync(join(dist, "assets"), {recursive: true});
 try {
-  checkTypes();
   const {metafile} = await bundle();
   writePage(metafile.outputs);
 } catch (error) {
