@@ -206,9 +206,10 @@ template <class V>
 void members(V& v, Visited<V, ExportRequest>& c) {
   v.type("ExportRequest", "What is exported, and how much of it.");
   v.name(required("format"), c.format, json_names::export_formats, "Format of the file, as the operation describes.");
-  v.text(sparse("coat"), c.coat,
-         "Name of the only coat to export; default: all that are not muted. `shells`, `cards` and `fields` hold one; "
-         "name it if there are more.");
+  v.text(
+      sparse("coat"), c.coat,
+      "Name of the only coat to export; default: all that are not muted. `fields` holds those of one coat; name it if "
+      "there are more.");
   v.integer("every", c.every, {1, 1e6},
             "Exports about one strand in this many, chosen at random. Above 1, `usda` marks them as guides unless "
             "`widen` is true.");

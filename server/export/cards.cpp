@@ -77,37 +77,57 @@ void add_card(const CardLine& clump, double width, std::size_t rows, const Slice
   }
 }
 
-GltfJson add_cards(GlbWriter& file, const CardMesh& mesh, int material) {
-  return {{"attributes",
-           {{"POSITION", file.add_positions(mesh.positions)},
-            {"NORMAL", file.add(std::span<const glm::vec3>(mesh.normals))},
-            {"TEXCOORD_0", file.add(std::span<const glm::vec2>(mesh.uvs))},
-            {"COLOR_0", file.add(std::span<const glm::vec4>(mesh.colours))}}},
-          {"indices", file.add_triangles(mesh.triangles, mesh.positions.size())},
-          {"material", material}};
-}
-
-/// The materials that a file uses besides the skin's. Unused materials are left out, so that later numbers change.
-struct CardMaterials {
-  bool eyes = false, cards = false;
-
-  static constexpr int skin_number = 0, eye_number = 1;
-  int card_number() const { return eyes ? 2 : 1; }
+/// A coat of which the file has cards.
+struct CardCoat {
+  const std::string& name;
+  const Coat& coat;
+  Slices light;       // without texels
+  int material = -1;  // -1 until the coat has a card
 };
 
-void set_materials(GlbWriter& file, const CardMaterials& used, const Coat& coat, double width) {
-  GltfJson materials = GltfJson::array({material_of("skin", dull)});
-  if (used.eyes) materials.push_back(material_of("eyes", wet));
-  if (used.cards) {
-    GltfJson& cards = materials.emplace_back(material_of("cards", 0.8));
-    cards.update({{"alphaMode", "MASK"}, {"alphaCutoff", 0.4}, {"doubleSided", true}});
-    cards["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-    const int picture = file.add_png(encode_png(card_texture(coat, width), true));
-    file.set("textures", GltfJson::array({{{"source", picture}, {"sampler", 0}}}));
-    file.set_sampler(clamped);
+/// The file with its materials and textures.
+class CardWriter {
+ public:
+  explicit CardWriter(double card_width) : card_width_(card_width) {}
+
+  int add_material(GltfJson material) {
+    materials_.push_back(std::move(material));
+    return static_cast<int>(materials_.size()) - 1;
   }
-  file.set("materials", std::move(materials));
-}
+
+  /// Adds the cards of a coat. The coat's material is made for its first cards.
+  GltfJson add_cards(const CardMesh& mesh, CardCoat& coat) {
+    if (coat.material < 0) coat.material = add_card_material(coat);
+    return {{"attributes",
+             {{"POSITION", file.add_positions(mesh.positions)},
+              {"NORMAL", file.add(std::span<const glm::vec3>(mesh.normals))},
+              {"TEXCOORD_0", file.add(std::span<const glm::vec2>(mesh.uvs))},
+              {"COLOR_0", file.add(std::span<const glm::vec4>(mesh.colours))}}},
+            {"indices", file.add_triangles(mesh.triangles, mesh.positions.size())},
+            {"material", coat.material}};
+  }
+
+  Result<std::string> finish() {
+    if (!textures_.empty()) file.set("textures", std::move(textures_)), file.set_sampler(clamped);
+    file.set("materials", std::move(materials_));
+    return file.finish();
+  }
+
+  GlbWriter file;
+
+ private:
+  int add_card_material(const CardCoat& coat) {
+    GltfJson material = material_of(coat.name, 0.8);
+    material.update({{"alphaMode", "MASK"}, {"alphaCutoff", 0.4}, {"doubleSided", true}});
+    material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", textures_.size()}};
+    const int picture = file.add_png(encode_png(card_texture(coat.coat, card_width_), true));
+    textures_.push_back({{"source", picture}, {"sampler", 0}});
+    return add_material(std::move(material));
+  }
+
+  double card_width_;  // sizes
+  GltfJson materials_ = GltfJson::array(), textures_ = GltfJson::array();
+};
 
 /// Mesh 0 is the body; the next meshes are the cards of the levels that have any. Each scene has nodes of its own,
 /// because readers move a node that two scenes share from one to the other.
@@ -125,7 +145,7 @@ void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& lev
   for (std::size_t k = 0; k < levels.size(); ++k) {
     GltfJson shown = GltfJson::array({add_node(fmt::format("body_LOD{}", k), 0)});
     const std::string fur = fmt::format("fur_LOD{}", k);
-    if (!levels[k].is_null()) shown.push_back(add_node(fur, add_mesh(fur, GltfJson::array({levels[k]}))));
+    if (!levels[k].empty()) shown.push_back(add_node(fur, add_mesh(fur, levels[k])));
     scenes.push_back({{"name", fmt::format("LOD{}", k)}, {"nodes", std::move(shown)}});
   }
   file.set("scene", 0);
@@ -136,32 +156,51 @@ void set_scenes(GlbWriter& file, GltfJson body, const std::vector<GltfJson>& lev
 
 }  // namespace
 
+namespace {
+
+std::vector<CardCoat> coats_of(const FurFrame& frame) {
+  std::vector<CardCoat> coats;
+  for (const NamedCoat& coat : frame.coats)
+    coats.push_back({coat.name, coat.coat, without_texels(bake_slices(coat.coat))});
+  return coats;
+}
+
+/// Adds a level of detail, a primitive for each coat that has cards in it.
+GltfJson add_level(CardWriter& writer, const std::vector<CardLine>& clumps, double width, std::size_t rows, double size,
+                   std::vector<CardCoat>& coats) {
+  std::vector<CardMesh> meshes(coats.size());
+  for (const CardLine& clump : clumps) add_card(clump, width, rows, coats[clump.coat].light, size, meshes[clump.coat]);
+  GltfJson primitives = GltfJson::array();
+  for (std::size_t c = 0; c < coats.size(); ++c)
+    if (!meshes[c].triangles.empty()) primitives.push_back(writer.add_cards(meshes[c], coats[c]));
+  return primitives;
+}
+
+}  // namespace
+
 Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request) {
-  const Slices slices = bake_slices(first_unmuted(scene.settings.coats).coat);
   const FurFrame frame = make_frame(scene, FrameRequest{});
+  std::vector<CardCoat> coats = coats_of(frame);
   const double cell = cell_of(strands, request.cards);
-  CardFile result;
-  GlbWriter file;
-  CardMaterials used{.eyes = !frame.eyes.empty()};
+  CardWriter writer(overlap * cell);
+  const VertexColours colours(colours_of_coats(scene.model.surface, strands));
   GltfJson body = GltfJson::array();
   body.push_back(
-      add_skin(file, scene, VertexColours(scene.model.surface, strands), slices, CardMaterials::skin_number));
-  if (used.eyes) body.push_back(add_eyes(file, frame.eyes, strands.size, CardMaterials::eye_number));
+      add_skin(writer.file, scene, colours, coats.front().light, writer.add_material(material_of("skin", dull))));
+  if (!frame.eyes.empty())
+    body.push_back(add_eyes(writer.file, frame.eyes, strands.size, writer.add_material(material_of("eyes", wet))));
+  CardFile result;
+  result.triangles = scene.model.surface.mesh().triangles.size();
   std::vector<GltfJson> levels;
   for (int level = 0; level < card_levels; ++level) {
     const double distance = cell * std::pow(2.0, 0.5 * level);
-    CardMesh mesh;
+    const std::size_t rows = rows_of_level[static_cast<std::size_t>(level)];
     const std::vector<CardLine> clumps = make_clumps(strands, distance);
-    for (const CardLine& clump : clumps)
-      add_card(clump, overlap * distance, rows_of_level[static_cast<std::size_t>(level)], slices, strands.size, mesh);
-    if (level == 0) result.cards = clumps.size(), result.triangles = mesh.triangles.size();
-    levels.push_back(clumps.empty() ? GltfJson() : add_cards(file, mesh, used.card_number()));
-    used.cards |= !clumps.empty();
+    if (level == 0) result.cards = clumps.size(), result.triangles += 2 * rows * clumps.size();
+    levels.push_back(add_level(writer, clumps, overlap * distance, rows, strands.size, coats));
   }
-  result.triangles += scene.model.surface.mesh().triangles.size();
-  set_materials(file, used, first_unmuted(scene.settings.coats).coat, overlap * cell);
-  set_scenes(file, std::move(body), levels, strands.transform);
-  Result<std::string> glb = file.finish();
+  set_scenes(writer.file, std::move(body), levels, strands.transform);
+  Result<std::string> glb = writer.finish();
   if (!glb) return glb.status();
   result.glb = std::move(*glb);
   return result;

@@ -18,10 +18,11 @@ struct CardFile {
 };
 
 /// Makes a GLB with a scene for each level of detail; "LOD0" is the finest and first. A scene has the skin with the
-/// eyes, and one mesh of cards ("fur_LOD0"). The finest level has about request.cards cards, the next ones a half and a
-/// quarter of that, wider and with fewer rows. A card follows the mean strand of a clump, and lies flat on the fur
-/// except for a random turn. Its texture has an alpha cutoff of .4; COLOR_0 is the colour of the `strands`, darker
-/// where fur shades it, NORMAL that of the skin. Whiskers are left out.
+/// eyes, and one mesh of cards ("fur_LOD0") with a primitive and a material for each coat, named after it. The finest
+/// level has about request.cards cards, the next ones a half and a quarter of that, wider and with fewer rows. A card
+/// follows the mean strand of a clump, and lies flat on the fur except for a random turn. Its texture has an alpha
+/// cutoff of .4; COLOR_0 is the colour of the `strands`, darker where fur shades it, NORMAL that of the skin. Whiskers
+/// are left out.
 Result<CardFile> bake_cards(const SceneView& scene, const ExportedStrands& strands, const ExportRequest& request);
 
 }  // namespace pelage

@@ -13,8 +13,8 @@ namespace pelage {
 
 namespace {
 
-/// The three indices of a cube, and which of six directions the skin faces.
-using CellKey = std::tuple<int, int, int, int>;
+/// The coat, the three indices of a cube, and which of six directions the skin faces.
+using CellKey = std::tuple<std::size_t, int, int, int, int>;
 
 int facing_of(glm::vec3 normal) {
   const glm::vec3 size = glm::abs(normal);
@@ -22,26 +22,26 @@ int facing_of(glm::vec3 normal) {
   return 2 * axis + (normal[axis] < 0 ? 1 : 0);
 }
 
-CellKey key_of(glm::vec3 root, glm::vec3 normal, double cell) {
+CellKey key_of(std::size_t coat, glm::vec3 root, glm::vec3 normal, double cell) {
   const glm::dvec3 cube = glm::floor(glm::dvec3(root) / cell);
   const auto held = [](double at) { return clamped_index(at, -(1 << 30), 1 << 30); };
-  return {held(cube.x), held(cube.y), held(cube.z), facing_of(normal)};
+  return {coat, held(cube.x), held(cube.y), held(cube.z), facing_of(normal)};
 }
 
-/// Calls use(set, index of the strand in the set, index of its first point) for each strand of the fur.
+/// Calls use(coat, set, index of the strand in the set, index of its first point) for each strand of the fur.
 template <class Use>
 void for_each_strand(const ExportedStrands& strands, const Use& use) {
   for (std::size_t k = 0; k + strands.curve_sets < strands.sets.size(); ++k) {
     const StrandSet& set = strands.sets[k];
     const std::size_t points = static_cast<std::size_t>(set.segments) + 1;
-    for (std::size_t i = 0; i < set.count(); ++i) use(set, i, i * points);
+    for (std::size_t i = 0; i < set.count(); ++i) use(strands.group_of[k], set, i, i * points);
   }
 }
 
 std::size_t count_clumps(const ExportedStrands& strands, double cell) {
   std::set<CellKey> keys;
-  for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
-    keys.insert(key_of(set.points[first].position, set.roots[i].normal, cell));
+  for_each_strand(strands, [&](std::size_t coat, const StrandSet& set, std::size_t i, std::size_t first) {
+    keys.insert(key_of(coat, set.points[first].position, set.roots[i].normal, cell));
   });
   return keys.size();
 }
@@ -83,12 +83,12 @@ struct Sum {
 
 std::vector<CardLine> make_clumps(const ExportedStrands& strands, double cell) {
   std::map<CellKey, Sum> sums;
-  for_each_strand(strands, [&](const StrandSet& set, std::size_t i, std::size_t first) {
-    sums[key_of(set.points[first].position, set.roots[i].normal, cell)].add(set, i, first);
+  for_each_strand(strands, [&](std::size_t coat, const StrandSet& set, std::size_t i, std::size_t first) {
+    sums[key_of(coat, set.points[first].position, set.roots[i].normal, cell)].add(set, i, first);
   });
   std::vector<CardLine> clumps;
   clumps.reserve(sums.size());
-  for (const auto& [key, sum] : sums) clumps.push_back(sum.mean());
+  for (const auto& [key, sum] : sums) clumps.push_back(sum.mean()), clumps.back().coat = std::get<0>(key);
   return clumps;
 }
 

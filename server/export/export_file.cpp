@@ -80,8 +80,8 @@ Result<SceneSettings> with_asked_coats(SceneSettings settings, const ExportReque
   std::vector<NamedCoat>& coats = settings.coats;
   const auto seen = coats.size() - static_cast<std::size_t>(std::ranges::count(coats, true, &NamedCoat::muted));
   if (request.coat.empty()) {
-    if (seen == 1 || holds_strands(request.format)) return settings;
-    return failure(Code::invalid, "The file holds one coat.", "/coat", "the name of a coat");
+    if (seen == 1 || request.format != ExportFormat::fields) return settings;
+    return failure(Code::invalid, "The file holds the fields of one coat.", "/coat", "the name of a coat");
   }
   if (!find_coat(coats, request.coat)) return failure(Code::invalid, "The scene has no coat of this name.", "/coat");
   for (NamedCoat& coat : coats) coat.muted = coat.name != request.coat;

@@ -74,7 +74,7 @@ void add_fields(const SceneView& scene, const CornerMesh& shells, GlbWriter& fil
 Result<MeshFile> export_mesh(const SceneView& scene, const ExportedStrands& strands) {
   const Mesh& mesh = scene.model.surface.mesh();
   const CornerMesh shells = make_corner_mesh(scene, true);
-  const VertexColours colours(scene.model.surface, strands);
+  const VertexColours colours(scene.model.surface, strands, 0);
   const std::vector<glm::vec3> vertex_positions = positions_at(scene, 0);
   GlbWriter file;
   const auto positions =

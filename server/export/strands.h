@@ -48,6 +48,8 @@ struct ExportedStrands {
   double size = 1;                   // model units per internal unit
   std::optional<ExportedSkin> skin;  // if requested
 
+  /// Returns the number of coats, whose groups come first.
+  std::size_t coats() const { return groups.size() - (curve_sets > 0 ? 1 : 0); }
   std::uint64_t count() const;
   std::uint64_t points() const;
   /// Returns the offset from the transform's centre, in the model's unit and the file's axes.

@@ -5,9 +5,23 @@
 
 namespace pelage {
 
-VertexColours::VertexColours(const Surface& surface, const ExportedStrands& strands)
+VertexColours::VertexColours(const Surface& surface, const ExportedStrands& strands, std::size_t coat)
     : ramps_(surface.mesh().positions.size()) {
-  for (std::size_t k = 0; k + strands.curve_sets < strands.sets.size(); ++k) add(strands.sets[k], surface);
+  for (std::size_t k = 0; k < strands.sets.size(); ++k)
+    if (strands.group_of[k] == coat) add(strands.sets[k], surface);
+  sum_all();
+}
+
+VertexColours::VertexColours(std::span<const VertexColours> coats) : ramps_(coats.front().ramps_.size()) {
+  for (const VertexColours& coat : coats) {
+    for (std::size_t v = 0; v < ramps_.size(); ++v) {
+      for (std::size_t h = 0; h < heights; ++h) ramps_[v][h] += coat.ramps_[v][h];
+    }
+  }
+  sum_all();
+}
+
+void VertexColours::sum_all() {
   for (const Ramp& ramp : ramps_) {
     for (std::size_t h = 0; h < heights; ++h) all_[h] += ramp[h];
   }
@@ -34,6 +48,12 @@ glm::vec3 VertexColours::at(std::uint32_t vertex, double s) const {
     return sum.w > 0 ? glm::vec3(sum) / sum.w : glm::vec3(0);
   };
   return glm::mix(mean(below), mean(below + 1), static_cast<float>(coordinate - static_cast<double>(below)));
+}
+
+std::vector<VertexColours> colours_of_coats(const Surface& surface, const ExportedStrands& strands) {
+  std::vector<VertexColours> colours;
+  for (std::size_t coat = 0; coat < strands.coats(); ++coat) colours.emplace_back(surface, strands, coat);
+  return colours;
 }
 
 }  // namespace pelage

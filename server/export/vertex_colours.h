@@ -4,6 +4,7 @@
 
 #include <array>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "server/export/strands.h"
@@ -13,8 +14,10 @@ namespace pelage {
 
 class VertexColours {
  public:
-  /// Averages the colours of the fur's strands, without whiskers.
-  VertexColours(const Surface& surface, const ExportedStrands& strands);
+  /// Averages the colours of the strands of one coat, a number below strands.coats().
+  VertexColours(const Surface& surface, const ExportedStrands& strands, std::size_t coat);
+  /// Averages those of all coats of one surface, at least one.
+  explicit VertexColours(std::span<const VertexColours> coats);
 
   /// Returns the linear colour at a height s in [0, 1] of the fur. Where no strand grows it is the mean of all.
   glm::vec3 at(std::uint32_t vertex, double s) const;
@@ -24,9 +27,13 @@ class VertexColours {
   using Ramp = std::array<glm::vec4, heights>;
 
   void add(const StrandSet& set, const Surface& surface);
+  void sum_all();
 
   std::vector<Ramp> ramps_;  // for each vertex: weighted sums of colours, and of weights in w
   Ramp all_{};
 };
+
+/// Returns the colours of each coat of the strands.
+std::vector<VertexColours> colours_of_coats(const Surface& surface, const ExportedStrands& strands);
 
 }  // namespace pelage

@@ -1,5 +1,6 @@
 """Coats over HTTP: grooming, drawing, tracing, picking and exporting several of them."""
 
+import json
 import pathlib
 import re
 import unittest
@@ -81,6 +82,10 @@ class Coats(ServedTest):
                     self.assertAlmostEqual(picked["length"], times * skin["length"], places=6)
         self.assertEqual(coats, {"fur", "mane"})
 
+    def document_of(self, glb):
+        """The JSON of a GLB: its length stands at byte 12, its kind at 16."""
+        return json.loads(glb[20:20 + int.from_bytes(glb[12:16], "little")])
+
     def test_files_name_coats_and_hold_those_that_are_asked_for(self):
         scene = self.scene_with_mane()
 
@@ -94,9 +99,11 @@ class Coats(ServedTest):
         self.assertEqual(set(whole), {("0", '"fur"'), ("1", '"mane"')})
         self.assertEqual(groups("?coat=mane&curves=false"), {("1", '"mane"'): whole[("1", '"mane"')]})
         self.assertEqual(groups()[("8", '"whiskers"')], groups("?coat=fur")[("8", '"whiskers"')])
-        for format in ("shells", "cards", "fields"):
-            refused = self.server.get(f"{scene.path}/export/{format}")
-            self.assertEqual((refused.status, refused.json["pointer"]), (422, "/coat"), format)
+        for format in ("shells", "cards"):
+            document = self.document_of(self.server.get(f"{scene.path}/export/{format}").body)
+            self.assertEqual({material["name"].split()[0] for material in document["materials"]}, {"skin", "eyes", "fur", "mane"}, format)
+        refused = self.server.get(f"{scene.path}/export/fields")
+        self.assertEqual((refused.status, refused.json["pointer"]), (422, "/coat"))
         self.assertEqual(self.server.get(f"{scene.path}/export/fields?coat=mane").status, 200)
         self.assertEqual(self.server.get(f"{scene.path}/export/usda?coat=beard").json["pointer"], "/coat")
 

@@ -62,6 +62,42 @@ TEST(BakedShells, HaveASkinAndTheShellsThatWereRequested) {
   EXPECT_EQ(triangles, baked.triangles);
 }
 
+/// A ball with short fur all over, and a mane of twice its length on one side.
+FurredModel with_mane() {
+  FurredModel model = furred_ball();
+  NamedCoat mane{"mane", 1, false, model.settings.coats.front().coat};
+  model.settings.coats.push_back(mane);
+  model.fields.select(1);
+  for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
+    const bool furred = model.model.surface.mesh().positions[v].x > 0;
+    model.fields.set(Field::density, v, glm::vec4(1, 0, 0, 0));
+    model.fields.set(Field::length, v, glm::vec4(furred ? 0.1f : 0.0f, 0, 0, 0));
+  }
+  model.fields.select(0);
+  return model;
+}
+
+TEST(BakedShells, OfSeveralCoatsFollowEachOther) {
+  const FurredModel model = with_mane();
+  ExportRequest request;
+  request.shells = 3;
+  const BakedShells baked = bake_shells(model.view(), strands_of(model), request).value();
+  const GlbFile file(baked.glb);
+  const auto& primitives = file.json["meshes"][0]["primitives"];
+  ASSERT_EQ(primitives.size(), 7u);
+  std::vector<std::string> names;
+  for (const auto& primitive : primitives)
+    names.push_back(file.json["materials"][primitive["material"].get<std::size_t>()]["name"]);
+  EXPECT_EQ(names, (std::vector<std::string>{"skin", "fur 1", "fur 2", "fur 3", "mane 1", "mane 2", "mane 3"}));
+  const auto accessor = [&](std::size_t primitive, const auto& which) {
+    return file.json["accessors"][which(primitives[primitive]).template get<std::size_t>()];
+  };
+  const auto triangles = [](const auto& primitive) { return primitive["indices"]; };
+  const auto points = [](const auto& primitive) { return primitive["attributes"]["POSITION"]; };
+  EXPECT_LT(accessor(6, triangles)["count"], 0.6 * accessor(3, triangles)["count"].get<double>()) << "on one side";
+  EXPECT_GT(accessor(6, points)["max"][0], accessor(3, points)["max"][0]) << "longer";
+}
+
 TEST(BakedShells, LieFurtherOutFromRootToTip) {
   const FurredModel model = furred_ball();
   double before = 0;
@@ -92,7 +128,7 @@ TEST(VertexColours, AreThoseOfTheStrandsAround) {
     const glm::vec4 paint = mesh.positions[v].x > 0 ? glm::vec4(1, 0, 0, 1) : glm::vec4(0, 0, 1, 1);
     model.fields.set(Field::root_colour, v, paint), model.fields.set(Field::tip_colour, v, paint);
   }
-  const VertexColours colours(model.model.surface, strands_of(model));
+  const VertexColours colours(model.model.surface, strands_of(model), 0);
   for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
     const glm::vec3 colour = colours.at(v, 0.6);
     const float side = mesh.positions[v].x;

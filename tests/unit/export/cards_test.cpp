@@ -86,6 +86,35 @@ TEST(Cards, StandOnTheSkin) {
   }
 }
 
+/// The second coat grows where x > 0.
+TEST(Cards, OfEachCoatHaveItsMaterial) {
+  FurredModel model = furred_ball();
+  model.settings.coats.push_back({"mane", 1, false, model.settings.coats.front().coat});
+  model.fields.select(1);
+  for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
+    const bool furred = model.model.surface.mesh().positions[v].x > 0;
+    model.fields.set(Field::density, v, glm::vec4(1, 0, 0, 0));
+    model.fields.set(Field::length, v, glm::vec4(furred ? fur_length : 0, 0, 0, 0));
+  }
+  model.fields.select(0);
+  const Cards cards(model, 1000);
+  const auto& meshes = cards.glb.json["meshes"];
+  ASSERT_EQ(meshes.size(), 4u) << "a body and three levels";
+  for (std::size_t level = 1; level < meshes.size(); ++level) {
+    const auto& primitives = meshes[level]["primitives"];
+    ASSERT_EQ(primitives.size(), 2u);
+    const auto name = [&](std::size_t k) {
+      return cards.glb.json["materials"][primitives[k]["material"].get<std::size_t>()]["name"];
+    };
+    EXPECT_EQ(name(0), "fur");
+    EXPECT_EQ(name(1), "mane");
+    const auto& mane = cards.glb.json["accessors"][primitives[1]["attributes"]["POSITION"].get<std::size_t>()];
+    EXPECT_GT(mane["min"][0], -0.15 * model.model.surface.mesh().size);
+  }
+  EXPECT_EQ(cards.glb.json["textures"].size(), 2u);
+  EXPECT_NEAR(static_cast<double>(cards.file.cards), 1000, 200);
+}
+
 TEST(Cards, AreLeftOutWithoutFur) {
   FurredModel model = furred_ball();
   for (std::uint32_t v = 0; v < model.fields.size(); ++v) model.fields.set(Field::length, v, glm::vec4(0));
@@ -106,7 +135,7 @@ TEST(Clumps, KeepTheSidesOfAThinSheetApart) {
     set.roots.push_back({.normal = {0, 0, side}, .number = 0.2f});
   }
   ExportedStrands strands;
-  strands.sets.push_back(set);
+  strands.sets.push_back(set), strands.group_of.push_back(0);
   EXPECT_EQ(make_clumps(strands, 0.3).size(), 2u);
   strands.sets.front().roots[1].normal = {0, 0, 1};
   const std::vector<CardLine> one = make_clumps(strands, 0.3);
