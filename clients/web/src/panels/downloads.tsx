@@ -5,6 +5,7 @@ import {storedSignal} from "../api/identity";
 import {aovNames, downloadLog, downloadMap, downloadPicture, downloadRecipe, making, pixelsOf, sizes, type Size} from "../files/download";
 import {beforeAndAfter, contactSheet, turntable} from "../files/sheets";
 import {scene} from "../scene/session";
+import {aovWords} from "../tools/artist_words";
 import {Form} from "../tools/form";
 import {membersOf, schemas, words} from "../tools/schema";
 import type {Values} from "../tools/state";
@@ -37,7 +38,7 @@ function Aovs() {
       <summary>AOVs in the EXR{now.length > 0 ? `: ${now.length}` : ""}</summary>
       <p class="help">Extra channels for compositing. Final has neither Strand number nor Root position.</p>
       {aovNames().map((name) => (
-        <label key={name} class="check"><input type="checkbox" checked={now.includes(name)} onChange={(event) => choose(name, event.currentTarget.checked)} /> {words(name)}</label>
+        <label key={name} class="check"><input type="checkbox" checked={now.includes(name)} onChange={(event) => choose(name, event.currentTarget.checked)} /> {aovWords[name] ?? words(name)}</label>
       ))}
     </details>
   );

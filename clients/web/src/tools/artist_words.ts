@@ -49,8 +49,11 @@ export const memberNames: Record<string, string> = {
   primary_shift: "Shift of the first highlight", secondary_shift: "Shift of the second highlight", angle_degrees: "Angular size",
 };
 
+/** Names of AOVs whose names mean something else where a setting has them. */
+export const aovWords: Record<string, string> = {shadow: "Unshadowed share"};
+
 /** Names of choices. */
 export const choiceNames: Record<string, string> = {
   straight: "In a straight line", dijkstra: "Along the skin", heat: "Along the skin, smooth", volume: "Ball", surface: "Disc on the skin", screen: "Circle on the screen",
-  lengyel: "First fur shells", scale: "Scale", jitter: "Random", direct: "Direct light", shadow: "Unshadowed share", root: "Root position", strand: "Strand number", sample_count: "Samples", bare: "Bare skin", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",
+  lengyel: "First fur shells", scale: "Scale", jitter: "Random", direct: "Direct light", root: "Root position", strand: "Strand number", sample_count: "Samples", bare: "Bare skin", tip_colour: "Colour of the tips", root_colour: "Colour of the roots",
 };
