@@ -11,6 +11,7 @@
 #include "server/export/vertex_colours.h"
 #include "tests/support/furred_model.h"
 #include "tests/support/glb_file.h"
+#include "tests/unit/export/maned.h"
 
 namespace pelage::testing {
 namespace {
@@ -62,23 +63,8 @@ TEST(BakedShells, HaveASkinAndTheShellsThatWereRequested) {
   EXPECT_EQ(triangles, baked.triangles);
 }
 
-/// A ball with short fur all over, and a mane of twice its length on one side.
-FurredModel with_mane() {
-  FurredModel model = furred_ball();
-  NamedCoat mane{"mane", 1, false, model.settings.coats.front().coat};
-  model.settings.coats.push_back(mane);
-  model.fields.select(1);
-  for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
-    const bool furred = model.model.surface.mesh().positions[v].x > 0;
-    model.fields.set(Field::density, v, glm::vec4(1, 0, 0, 0));
-    model.fields.set(Field::length, v, glm::vec4(furred ? 0.1f : 0.0f, 0, 0, 0));
-  }
-  model.fields.select(0);
-  return model;
-}
-
 TEST(BakedShells, OfSeveralCoatsFollowFromTheSkinOutwards) {
-  const FurredModel model = with_mane();
+  const FurredModel model = maned(furred_ball(), 0.1f);
   ExportRequest request;
   request.shells = 3;
   const BakedShells baked = bake_shells(model.view(), strands_of(model), request).value();

@@ -10,6 +10,7 @@
 #include "server/export/clumps.h"
 #include "tests/support/furred_model.h"
 #include "tests/support/glb_file.h"
+#include "tests/unit/export/maned.h"
 
 namespace pelage::testing::cards_test {
 namespace {
@@ -86,17 +87,8 @@ TEST(Cards, StandOnTheSkin) {
   }
 }
 
-/// The second coat grows where x > 0.
 TEST(Cards, OfEachCoatHaveItsMaterial) {
-  FurredModel model = furred_ball();
-  model.settings.coats.push_back({"mane", 1, false, model.settings.coats.front().coat});
-  model.fields.select(1);
-  for (std::uint32_t v = 0; v < model.fields.size(); ++v) {
-    const bool furred = model.model.surface.mesh().positions[v].x > 0;
-    model.fields.set(Field::density, v, glm::vec4(1, 0, 0, 0));
-    model.fields.set(Field::length, v, glm::vec4(furred ? fur_length : 0, 0, 0, 0));
-  }
-  model.fields.select(0);
+  const FurredModel model = maned(furred_ball(), fur_length);
   const Cards cards(model, 1000);
   const auto& meshes = cards.glb.json["meshes"];
   ASSERT_EQ(meshes.size(), 4u) << "a body and three levels";
