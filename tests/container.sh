@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 picture=${1:-}
-command -v buildah mmdebstrap >/dev/null || apt-get -qq install -y --no-install-recommends buildah mmdebstrap >/dev/null
+{ command -v buildah && command -v mmdebstrap; } >/dev/null || apt-get -qq install -y --no-install-recommends buildah mmdebstrap >/dev/null
 store=$(mktemp -d --suffix=-pelage-container)
 server=
 clean_up() {
